@@ -1,0 +1,6 @@
+//! The commands, one file for each.
+
+pub mod build;
+pub mod serve;
+pub mod suites;
+pub mod test;
