@@ -1,0 +1,121 @@
+// The listing of the tape: text and format in one state with one undo.
+import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
+import { Annotation, EditorState } from '@codemirror/state';
+import { drawSelection, EditorView, highlightSpecialChars, keymap } from '@codemirror/view';
+import sharedStyle from '../style/shared.css?inline';
+import { formatField, formatWithUndo, setFormat } from './format-field.js';
+import { blockGutter } from './gutter.js';
+import { litField } from './lit.js';
+import { liveMarks, marksField } from './marks.js';
+import { theme } from './theme.js';
+import { problemTooltip } from './tooltip.js';
+
+/** @typedef {import('nctape').Format} Format */
+/** @typedef {import('nctape').Diagnostic} Diagnostic */
+
+/** Which view moved the cursor, where it was not the editor. @type {import('@codemirror/state').AnnotationType<'tape' | 'path' | 'problems'>} */
+export const movedBy = Annotation.define();
+
+/**
+ * @typedef {object} Parts
+ * @property {HTMLElement} host
+ * @property {Format} format
+ * @property {string[]} kinds
+ * @property {import('./marks.js').AskListing} ask
+ * @property {(diagnostic: Diagnostic) => HTMLElement} card  a problem as the tooltip shows it
+ * @property {(direction: 1 | -1) => void} goToProblem
+ * @property {() => void} leave  where the focus goes by Escape
+ * @property {(update: import('@codemirror/view').ViewUpdate) => void} onUpdate
+ */
+
+/** @param {Parts} parts */
+export function makeEditor({ host, format, kinds, ask, card, goToProblem, leave, onUpdate }) {
+  // In a shadow root CodeMirror adopts its style sheets: the page needs no inline style.
+  const root = host.attachShadow({ mode: 'open' });
+  const style = new CSSStyleSheet();
+  style.replaceSync(sharedStyle);
+  root.adoptedStyleSheets = [style];
+
+  const marks = liveMarks(ask, kinds);
+  const view = new EditorView({
+    root,
+    parent: root,
+    state: EditorState.create({
+      extensions: [
+        formatWithUndo(format),
+        history(),
+        drawSelection(),
+        highlightSpecialChars(),
+        EditorState.tabSize.of(10),
+        marks.extension,
+        litField,
+        blockGutter((view) => view.state.field(marksField).gutter),
+        problemTooltip(card),
+        theme,
+        keymap.of([
+          { key: 'F8', run: () => (goToProblem(1), true), shift: () => (goToProblem(-1), true) },
+          { key: 'Mod-i', run: insertTab, preventDefault: true },
+          { key: 'Escape', run: () => (leave(), true) },
+          ...historyKeymap,
+          ...defaultKeymap,
+        ]),
+        EditorView.contentAttributes.of({
+          'aria-label': 'Program of the tape. Escape leaves it.',
+          spellcheck: 'false',
+          autocorrect: 'off',
+          autocapitalize: 'characters',
+        }),
+        EditorView.updateListener.of(onUpdate),
+      ],
+    }),
+  });
+  return { view, refreshMarks: () => marks.refresh(view) };
+}
+
+/** @param {EditorView} view */
+export function insertTab(view) {
+  view.dispatch(view.state.replaceSelection('\t'), { scrollIntoView: true, userEvent: 'input' });
+  return true;
+}
+
+/** @param {EditorView} view */
+export const currentFormat = (view) => view.state.field(formatField);
+
+/**
+ * @param {EditorView} view
+ * @param {Format} format
+ */
+export const changeFormat = (view, format) => view.dispatch({ effects: setFormat.of(format), userEvent: 'input.format' });
+
+/**
+ * Replaces the text and the format, undone as one.
+ * @param {EditorView} view
+ * @param {string} source
+ * @param {Format} format
+ * @param {number} cursor
+ */
+export function replaceAll(view, source, format, cursor) {
+  view.dispatch({
+    changes: { from: 0, to: view.state.doc.length, insert: source },
+    selection: { anchor: Math.min(cursor, source.length) },
+    effects: [setFormat.of(format), EditorView.scrollIntoView(Math.min(cursor, source.length), { y: 'center' })],
+    userEvent: 'input.replace',
+  });
+}
+
+/**
+ * Puts the cursor where another view points, and brings it into sight.
+ * @param {EditorView} view
+ * @param {number} offset
+ * @param {'tape' | 'path' | 'problems'} by
+ * @param {number} [to]  end of a selection
+ */
+export function moveCursor(view, offset, by, to = offset) {
+  const limit = view.state.doc.length;
+  const anchor = Math.min(offset, limit);
+  view.dispatch({
+    selection: { anchor, head: Math.min(to, limit) },
+    effects: EditorView.scrollIntoView(anchor, { y: by === 'tape' ? 'nearest' : 'center', yMargin: 60 }),
+    annotations: movedBy.of(by),
+  });
+}

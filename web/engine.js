@@ -1,0 +1,165 @@
+// The page's side of the worker: numbers requests, throws late replies away, restarts after a trap.
+
+/** @typedef {import('./worker.js').Changes} Changes */
+/** @typedef {import('./worker.js').Facts} Facts */
+/** @typedef {import('./worker.js').Questions} Questions */
+/** @typedef {import('./worker.js').Change} Change */
+/** @typedef {{ source: string, format: import('nctape').Format, offset: number }} Current */
+
+/**
+ * @template {any[]} T
+ * @typedef {T extends [any, ...infer R] ? R : never} Tail
+ */
+
+/**
+ * @typedef {object} Callbacks
+ * @property {() => Current} current  what the tape is now, for a new worker
+ * @property {(change: Change) => void} onChange  the newest change was read
+ * @property {(refusal: string) => void} onRefusal  an argument was malformed: the tape stays as it was
+ * @property {(message: string, down: boolean) => void} onTrap  the worker died; `down`: it waits for the next change
+ * @property {(message: string) => void} onFail  the wasm could not be loaded
+ */
+
+/**
+ * @typedef {object} Pending
+ * @property {{ id: number, about: 'change' | 'tape' | 'fact', name: string, args: any[] }} request
+ * @property {number} edit  the number of changes sent before it, its own included
+ * @property {(value: any) => void} resolve
+ */
+
+export class Engine {
+  /** @param {Callbacks} callbacks */
+  constructor(callbacks) {
+    this.callbacks = callbacks;
+    /** @type {Map<number, Pending>} */
+    this.pending = new Map();
+    this.lastId = 0;
+    /** How many changes have been sent. */
+    this.edit = 0;
+    /** Deaths of the worker since the last change by the user. */
+    this.traps = 0;
+    /** This very tape makes the worker die: nothing is sent before it changes. */
+    this.down = false;
+    this.opened = false;
+    this.worker = this.start();
+  }
+
+  start() {
+    const worker = new Worker(new URL('./worker.js', import.meta.url), { type: 'module', name: 'nctape' });
+    let alive = false;
+    worker.onmessage = ({ data }) => {
+      if (data.ready) alive = true;
+      else if (data.failed !== undefined) this.callbacks.onFail(data.failed);
+      else if (data.trap !== undefined) this.restart(data.trap);
+      else this.settle(data);
+    };
+    worker.onerror = (event) => {
+      event.preventDefault();
+      if (alive) this.restart(event.message);
+      else this.callbacks.onFail(event.message || 'the worker’s file could not be loaded');
+    };
+    return worker;
+  }
+
+  /**
+   * A question that needs no tape: always answered.
+   * @template {keyof Facts} K
+   * @param {K} name
+   * @param {Parameters<Facts[K]>} args
+   * @returns {Promise<Awaited<ReturnType<Facts[K]>>>}
+   */
+  fact(name, ...args) {
+    return this.send('fact', name, args);
+  }
+
+  /**
+   * A question about the tape as it is now; undefined if the tape changes before the answer is here.
+   * @template {keyof Questions} K
+   * @param {K} name
+   * @param {Tail<Parameters<Questions[K]>>} args
+   * @returns {Promise<ReturnType<Questions[K]> | undefined>}
+   */
+  ask(name, ...args) {
+    if (this.down || !this.opened) return Promise.resolve(undefined);
+    return this.send('tape', name, args);
+  }
+
+  /**
+   * Changes the tape. The answer to the newest change goes to `onChange`.
+   * @template {keyof Changes} K
+   * @param {K} name
+   * @param {Parameters<Changes[K]>} args
+   */
+  change(name, ...args) {
+    if (this.down || (!this.opened && name !== 'open')) {
+      this.openCurrent();
+      return;
+    }
+    this.opened = true;
+    this.edit += 1;
+    if (name !== 'open') this.traps = 0;
+    this.send('change', name, args).then((change) => {
+      if (change !== undefined) this.callbacks.onChange(change);
+    });
+  }
+
+  /** @private */
+  openCurrent() {
+    this.down = false;
+    const { source, format, offset } = this.callbacks.current();
+    this.change('open', source, format, offset);
+  }
+
+  /**
+   * @private
+   * @param {'change' | 'tape' | 'fact'} about
+   * @param {string} name
+   * @param {any[]} args
+   * @returns {Promise<any>}
+   */
+  send(about, name, args) {
+    this.lastId += 1;
+    const request = { id: this.lastId, about, name, args };
+    return new Promise((resolve) => {
+      this.pending.set(request.id, { request, edit: this.edit, resolve });
+      this.worker.postMessage(request);
+    });
+  }
+
+  /**
+   * @private
+   * @param {{ id: number, value?: any, refused?: string }} reply
+   */
+  settle(reply) {
+    const waiting = this.pending.get(reply.id);
+    if (waiting === undefined) return;
+    this.pending.delete(reply.id);
+    if (reply.refused !== undefined) this.callbacks.onRefusal(reply.refused);
+    const { about } = waiting.request;
+    const late = about !== 'fact' && waiting.edit < this.edit;
+    waiting.resolve(late ? undefined : reply.value);
+  }
+
+  /**
+   * A new worker with the current text. Where that text has killed two workers, it waits for the next change.
+   * @private
+   * @param {string} message
+   */
+  restart(message) {
+    this.traps += 1;
+    this.down = this.traps > 1;
+    this.worker.terminate();
+    const unanswered = [...this.pending.values()];
+    this.pending.clear();
+    this.worker = this.start();
+    for (const waiting of unanswered) {
+      if (waiting.request.about !== 'fact') waiting.resolve(undefined);
+      else if (!this.down) {
+        this.pending.set(waiting.request.id, waiting);
+        this.worker.postMessage(waiting.request);
+      }
+    }
+    this.callbacks.onTrap(message, this.down);
+    if (!this.down) this.openCurrent();
+  }
+}

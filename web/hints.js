@@ -1,0 +1,37 @@
+// Three short hints at the first visit. Once gone they stay away.
+import { button, byId, el } from './dom.js';
+import { recall, remember } from './storage.js';
+
+const HINTS = [
+  { by: 'strip', words: 'This is the tape that the program punches. Drag it under the reader head.' },
+  { by: 'editor', words: 'Change a digit. The holes and the path follow at once, and what is wrong is underlined.' },
+  { by: 'plot', words: 'Click a piece of the path to find its block. What you are on is lit everywhere.' },
+];
+
+export function makeHints() {
+  const card = byId('hint', HTMLElement);
+  if (recall('hints') === 'done') return;
+  let at = 0;
+
+  function end() {
+    remember('hints', 'done');
+    card.hidden = true;
+  }
+  function show() {
+    const { by, words } = HINTS[at];
+    const last = at === HINTS.length - 1;
+    card.dataset.by = by;
+    card.replaceChildren(
+      el('p', null, words),
+      el(
+        'div',
+        { class: 'hint-foot' },
+        el('span', { class: 'hint-count' }, `${at + 1} of ${HINTS.length}`),
+        last ? null : button('small link', 'No more hints', end),
+        button('small primary', last ? 'Got it' : 'Next', () => (last ? end() : ((at += 1), show()))),
+      ),
+    );
+    card.hidden = false;
+  }
+  show();
+}

@@ -1,0 +1,50 @@
+// The page begins here: it shows itself, starts the engine, and asks it for all that it does not know itself.
+import { byId } from './dom.js';
+import { Engine } from './engine.js';
+import { notice } from './notice.js';
+import { makePlayground } from './playground.js';
+import { Store } from './store.js';
+import { startTheme } from './theme.js';
+
+byId('start', HTMLElement).remove();
+byId('app', HTMLElement).hidden = false;
+
+const store = new Store({
+  format: { standard: 'iso2539', detail: '' },
+  explanation: null,
+  summary: null,
+  here: null,
+  pointed: null,
+  chosen: null,
+  whole: true,
+  theme: startTheme(),
+});
+
+/** @type {import('./playground.js').Playground | null} */
+let playground = null;
+
+const engine = new Engine({
+  current: () => playground?.current() ?? { source: '', format: store.state.format, offset: 0 },
+  onChange: (change) => playground?.changed(change),
+  onRefusal: (message) => notice(`The format was not taken: ${message}`),
+  onTrap: (message, down) =>
+    notice(
+      down
+        ? `The checker fails on this tape (${message}). Your text is kept, and the checker tries again at your next change.`
+        : `The checker met a fault of its own (${message}) and was started again with your text.`,
+    ),
+  onFail: (message) =>
+    notice(`The checker could not be loaded: ${message}. Nothing is checked. Reload the page to try again.`, { lasting: true }),
+});
+
+async function start() {
+  const [presets, kinds, version] = await Promise.all([
+    engine.fact('presets'),
+    engine.fact('spanKinds'),
+    engine.fact('version'),
+  ]);
+  byId('version', HTMLElement).textContent = `Version ${version.package}`;
+  playground = makePlayground({ store, engine, kinds, presets: presets.filter(({ kind }) => kind === 'tape') });
+}
+
+void start();

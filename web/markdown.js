@@ -1,0 +1,104 @@
+// The small part of Markdown in which the pages of the rules are written, as elements.
+import { el } from './dom.js';
+
+/**
+ * @param {string} source
+ * @returns {HTMLElement[]}
+ */
+export function markdown(source) {
+  const lines = source.replace(/\r\n?/g, '\n').split('\n');
+  /** @type {HTMLElement[]} */
+  const blocks = [];
+  let i = 0;
+  while (i < lines.length) {
+    const [made, next] = block(lines, i);
+    if (made !== null) blocks.push(made);
+    i = next;
+  }
+  return blocks;
+}
+
+const FENCE = /^\s*(```+|~~~+)\s*(.*)$/;
+const HEADING = /^(#{1,6})\s+(.*?)\s*#*$/;
+const ITEM = /^\s*(?:([-*+])|(\d+)[.)])\s+(.*)$/;
+
+/**
+ * The block that begins at a line, and the line behind it.
+ * @param {string[]} lines
+ * @param {number} at
+ * @returns {[HTMLElement | null, number]}
+ */
+function block(lines, at) {
+  const line = lines[at];
+  if (line.trim() === '') return [null, at + 1];
+  if (FENCE.test(line)) return fence(lines, at);
+  const heading = HEADING.exec(line);
+  if (heading !== null) {
+    const level = /** @type {'h3' | 'h4' | 'h5'} */ (`h${Math.min(5, heading[1].length + 1)}`);
+    return [el(level, null, ...inline(heading[2])), at + 1];
+  }
+  if (ITEM.test(line)) return list(lines, at);
+  let end = at + 1;
+  while (end < lines.length && lines[end].trim() !== '' && !startsBlock(lines[end])) end += 1;
+  return [el('p', null, ...inline(lines.slice(at, end).join(' '))), end];
+}
+
+/** @param {string} line */
+const startsBlock = (line) => FENCE.test(line) || HEADING.test(line) || ITEM.test(line);
+
+/**
+ * @param {string[]} lines
+ * @param {number} at
+ * @returns {[HTMLElement, number]}
+ */
+function fence(lines, at) {
+  const mark = FENCE.exec(lines[at])?.[1] ?? '```';
+  let end = at + 1;
+  while (end < lines.length && !lines[end].trim().startsWith(mark)) end += 1;
+  return [el('pre', { tabindex: '0' }, el('code', null, lines.slice(at + 1, end).join('\n'))), end + 1];
+}
+
+/**
+ * @param {string[]} lines
+ * @param {number} at
+ * @returns {[HTMLElement, number]}
+ */
+function list(lines, at) {
+  const ordered = ITEM.exec(lines[at])?.[2] !== undefined;
+  const made = el(ordered ? 'ol' : 'ul');
+  let end = at;
+  while (end < lines.length) {
+    const item = ITEM.exec(lines[end]);
+    if (item === null) break;
+    const words = [item[3]];
+    end += 1;
+    while (end < lines.length && lines[end].trim() !== '' && !startsBlock(lines[end])) {
+      words.push(lines[end].trim());
+      end += 1;
+    }
+    made.append(el('li', null, ...inline(words.join(' '))));
+  }
+  return [made, end];
+}
+
+const INLINE = /(`+)(.+?)\1|\*\*(.+?)\*\*|\*(.+?)\*|\b_(.+?)_\b|\[([^\]]+)\]\([^)]*\)/;
+
+/**
+ * Code, emphasis; a link is its words, for the page goes nowhere else.
+ * @param {string} text
+ * @returns {(Node | string)[]}
+ */
+function inline(text) {
+  const found = INLINE.exec(text);
+  if (found === null) return text === '' ? [] : [text];
+  const [all, , code, strong, star, underscore, link] = found;
+  const made =
+    code !== undefined
+      ? el('code', null, code.replace(/^ (.+) $/, '$1'))
+      : strong !== undefined
+        ? el('strong', null, ...inline(strong))
+        : link !== undefined
+          ? el('span', null, ...inline(link))
+          : el('em', null, ...inline(star ?? underscore));
+  return [text.slice(0, found.index), made, ...inline(text.slice(found.index + all.length))].filter((part) => part !== '');
+}

@@ -1,0 +1,45 @@
+// The colours of the style sheet, for what is drawn on a canvas.
+
+/** @type {Record<string, string>} */
+const NAMES = {
+  text: '--text',
+  muted: '--muted',
+  sheet: '--sheet',
+  grid: '--grid',
+  gridStrong: '--grid-strong',
+  accent: '--accent',
+  halo: '--halo',
+  lamp: '--lamp',
+  lampText: '--lamp-text',
+  benchText: '--bench-text',
+  head: '--head',
+  error: '--mark-error',
+  warning: '--mark-warning',
+  info: '--mark-info',
+  errorOnBench: '--bench-error',
+  warningOnBench: '--bench-warning',
+  infoOnBench: '--bench-info',
+  rapid: '--kind-rapid',
+  line: '--kind-line',
+  arc: '--kind-arc',
+  parabola: '--kind-parabola',
+  curve: '--kind-curve',
+  dwell: '--kind-dwell',
+};
+
+/** @type {{ theme: string, colours: Record<string, string> } | null} */
+let kept = null;
+
+/**
+ * @param {'light' | 'dark'} theme
+ * @returns {Record<string, string>}
+ */
+export function palette(theme) {
+  if (kept?.theme === theme) return kept.colours;
+  const style = getComputedStyle(document.documentElement);
+  const colours = Object.fromEntries(
+    Object.entries(NAMES).map(([name, property]) => [name, style.getPropertyValue(property).trim()]),
+  );
+  kept = { theme, colours };
+  return colours;
+}

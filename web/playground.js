@@ -1,0 +1,136 @@
+// Makes the views and ties them to one tape: what one of them is told, all of them show.
+import { byId } from './dom.js';
+import { changeFormat, currentFormat, insertTab, makeEditor, movedBy, moveCursor, replaceAll } from './editor/editor.js';
+import { light } from './editor/lit.js';
+import { makeFormatPanel } from './format-panel/panel.js';
+import { makeHeader } from './header.js';
+import { makeHints } from './hints.js';
+import { makeLayout } from './layout.js';
+import { makeLearn } from './learn.js';
+import { makePlot } from './plot/plot.js';
+import { problemCard } from './problem-card.js';
+import { makeProblems } from './problems.js';
+import { makeRulePage } from './rule-page.js';
+import { makeStrip } from './strip/strip.js';
+import { makeThemeButton } from './theme.js';
+import { makeTotals } from './totals.js';
+import { counted } from './words.js';
+
+/** @typedef {import('nctape').Preset} Preset */
+/** @typedef {import('@codemirror/view').ViewUpdate} ViewUpdate */
+/** @typedef {{ current: () => import('./engine.js').Current, changed: (change: import('./engine.js').Change) => void }} Playground */
+
+/**
+ * @param {object} parts
+ * @param {import('./store.js').Store} parts.store
+ * @param {import('./engine.js').Engine} parts.engine
+ * @param {string[]} parts.kinds
+ * @param {Preset[]} parts.presets
+ * @returns {Playground}
+ */
+export function makePlayground({ store, engine, kinds, presets }) {
+  const layout = makeLayout();
+  const rulePage = makeRulePage(engine);
+  const [first] = presets;
+  store.set({ format: first.format });
+
+  /** @type {import('./problem-card.js').Deeds} */
+  const deeds = {
+    apply({ edits, format }) {
+      if (edits !== undefined) editor.dispatch({ changes: edits, userEvent: 'input.fix', scrollIntoView: true });
+      if (format !== undefined) changeFormat(editor, format);
+    },
+    openRule: (rule) => void rulePage.open(rule),
+    show({ from, to }) {
+      store.set({ chosen: { from, to } });
+      if (layout.narrow()) layout.showTab('program');
+      moveCursor(editor, from, 'problems', to);
+    },
+  };
+
+  /** The text was replaced as a whole, and the engine has not answered yet. */
+  let replaced = true;
+  const { view: editor, refreshMarks } = makeEditor({
+    host: byId('editor', HTMLElement),
+    format: first.format,
+    kinds,
+    ask: (from, to) => engine.ask('listing', from, to),
+    card: (diagnostic) => problemCard(diagnostic, deeds),
+    goToProblem: (direction) => void problems.goTo(direction),
+    leave: () => byId('problems', HTMLElement).focus(),
+    onUpdate,
+  });
+  const head = () => editor.state.selection.main.head;
+
+  const header = makeHeader({
+    store,
+    engine,
+    presets,
+    choose: ({ source, format, cursor }) => replaceAll(editor, source, format, cursor),
+  });
+  makeThemeButton(store);
+  makeLearn();
+  makeFormatPanel({ store, engine, change: (format) => changeFormat(editor, format) });
+  makeStrip({ store, engine, kinds, onRow: (offset) => moveCursor(editor, offset, 'tape') });
+  const problems = makeProblems({ store, engine, deeds, textLength: () => editor.state.doc.length, cursor: head });
+  makePlot({ store, engine, kinds, onBlock: (offset) => moveCursor(editor, offset, 'path') });
+  makeTotals(store);
+  byId('tab-key', HTMLElement).addEventListener('click', () => {
+    insertTab(editor);
+    editor.focus();
+  });
+
+  const note = byId('program-note', HTMLElement);
+  store.on(['summary'], ({ summary }) => {
+    note.textContent = summary === null ? '' : counted(summary.blocks, 'block');
+    void refreshMarks();
+  });
+  store.on(['here', 'chosen'], ({ here, chosen }) => light(editor, { block: here?.block ?? null, chosen }));
+
+  /** @param {ViewUpdate} update */
+  function onUpdate(update) {
+    const format = currentFormat(update.view);
+    if (update.docChanged) sendEdits(update);
+    if (format !== store.state.format) {
+      store.set({ format });
+      engine.change('setFormat', format, head());
+    }
+    if (update.selectionSet && !update.docChanged) {
+      if (!update.transactions.some((one) => one.annotation(movedBy) === 'problems')) store.set({ chosen: null });
+      void locate();
+    }
+  }
+
+  /** @param {ViewUpdate} update */
+  function sendEdits({ changes, startState, state }) {
+    /** @type {[number, number, string][]} */
+    const edits = [];
+    changes.iterChanges((from, to, _from, _to, insert) => edits.push([from, to, insert.toString()]));
+    const [[from, to]] = edits;
+    replaced ||= from === 0 && to >= startState.doc.length * 0.9;
+    problems.move(changes);
+    engine.change('edit', edits.reverse(), state.selection.main.head);
+    header.name((source) => source.length === state.doc.length && source === state.doc.toString());
+  }
+
+  async function locate() {
+    const offset = head();
+    const here = await engine.ask('locate', offset);
+    if (here !== undefined && offset === head()) store.set({ here });
+  }
+
+  /** @param {Preset} preset */
+  function openFirst({ source, format, cursor }) {
+    replaceAll(editor, source, format, cursor);
+    makeHints();
+  }
+  queueMicrotask(() => openFirst(first));
+
+  return {
+    current: () => ({ source: editor.state.doc.toString(), format: currentFormat(editor), offset: head() }),
+    changed({ summary, here }) {
+      store.set({ summary, here, whole: replaced });
+      replaced = false;
+    },
+  };
+}

@@ -1,0 +1,232 @@
+// The path of the tool, in one plane.
+import { button, byId, el, onceAFrame } from '../dom.js';
+import { palette } from '../palette.js';
+import { drawConstruction } from './construction.js';
+import { drawLit, drawPath, drawStart } from './draw.js';
+import { drawGrid } from './grid.js';
+import { spanAt } from './hit.js';
+import { listenToPlotHand } from './input.js';
+import { AXES, PLANES, View } from './view.js';
+import { spanCaption, spanLine, spanRows } from './words.js';
+
+/** @typedef {import('../store.js').Store} Store */
+/** @typedef {import('../engine.js').Engine} Engine */
+/** @typedef {import('nctape').Path} Path */
+
+/** How far a chord may be from its curve, in pixels. */
+const TOLERANCE = 0.2;
+
+/**
+ * @param {object} parts
+ * @param {Store} parts.store
+ * @param {Engine} parts.engine
+ * @param {string[]} parts.kinds
+ * @param {(offset: number) => void} parts.onBlock  a span was pressed: its block begins here
+ */
+export function makePlot({ store, engine, kinds, onBlock }) {
+  const canvas = byId('plot-canvas', HTMLCanvasElement);
+  const host = byId('plot', HTMLElement);
+  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+  // The grid and the whole path, kept until one of them or the view changes.
+  const base = document.createElement('canvas');
+  const baseContext = /** @type {CanvasRenderingContext2D} */ (base.getContext('2d'));
+
+  const view = new View();
+  /** @type {Path | null} */
+  let path = null;
+  /** The tolerance of `path`, in lengths. */
+  let tolerance = Infinity;
+  let baseIsTrue = false;
+  let fitted = false;
+  let ratio = 1;
+
+  const redraw = onceAFrame(draw);
+  function redrawAll() {
+    baseIsTrue = false;
+    redraw();
+  }
+
+  function measure() {
+    ratio = window.devicePixelRatio || 1;
+    const width = host.clientWidth;
+    const height = host.clientHeight;
+    if (width === 0 || height === 0) return;
+    view.width = width;
+    view.height = height;
+    for (const surface of [canvas, base]) {
+      surface.width = Math.round(width * ratio);
+      surface.height = Math.round(height * ratio);
+    }
+    if (!fitted) fit();
+    redrawAll();
+  }
+
+  function fit() {
+    const { summary } = store.state;
+    if (summary === null) return;
+    view.fit(summary.bounds);
+    fitted = true;
+    redrawAll();
+    void refine();
+  }
+
+  /** Asks for the path once more where the view has come so near that its chords would be seen. */
+  async function refine() {
+    const needed = TOLERANCE / view.scale;
+    if (needed >= tolerance / 2 && tolerance !== Infinity) return;
+    await fetchPath();
+  }
+
+  async function fetchPath() {
+    const asked = TOLERANCE / view.scale / 2;
+    const next = await engine.ask('path', asked);
+    if (next === undefined) return;
+    path = next;
+    tolerance = asked;
+    showLegend();
+    redrawAll();
+  }
+
+  function draw() {
+    const { summary, here, pointed, theme } = store.state;
+    if (summary === null || canvas.width === 0) return;
+    const colours = palette(theme);
+    const font = getComputedStyle(document.documentElement).getPropertyValue('--mono');
+    if (!baseIsTrue) {
+      baseContext.setTransform(ratio, 0, 0, ratio, 0, 0);
+      baseContext.fillStyle = colours.sheet;
+      baseContext.fillRect(0, 0, view.width, view.height);
+      drawGrid(baseContext, view, colours, { axes: summary.axes, unit: summary.unit === 'mm' ? 'mm' : 'in', font });
+      if (path !== null) drawPath(baseContext, view, path, kinds, colours);
+      if (path !== null && path.xyz.length > 0) drawStart(baseContext, view, path.xyz.subarray(0, 3), colours);
+      baseIsTrue = true;
+    }
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.drawImage(base, 0, 0);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    if (path === null) return;
+    if (here?.span) {
+      drawConstruction({ context, view, colours, font, unit: summary.unit }, here.span);
+      drawLit(context, view, path, /** @type {number} */ (here.block?.span), here.span.kind, colours, 11);
+    }
+    if (pointed !== null && pointed < path.kinds.length && pointed !== here?.block?.span) {
+      drawLit(context, view, path, pointed, kinds[path.kinds[pointed]], colours, 7);
+    }
+  }
+
+  const legend = byId('legend', HTMLElement);
+  function showLegend() {
+    const used = new Set(path?.kinds ?? []);
+    legend.replaceChildren(
+      ...kinds.filter((_, index) => used.has(index)).map((kind) => el('li', { class: `key kind-${kind}` }, kind)),
+    );
+  }
+
+  const readout = byId('readout', HTMLElement);
+  const caption = byId('span-caption', HTMLElement);
+  const rows = byId('span-rows', HTMLElement);
+  function tellHere() {
+    const { here, summary } = store.state;
+    if (summary === null) return;
+    if (here?.span) {
+      caption.textContent = spanCaption(here.span, here.block);
+      rows.replaceChildren(...spanRows(here.span, summary));
+    } else {
+      caption.textContent = here?.block ? `${here.block.sequence ?? 'This block'} moves nothing` : 'No block under the cursor';
+      rows.replaceChildren();
+    }
+  }
+  async function tellPointed() {
+    const { pointed, summary } = store.state;
+    if (pointed === null || summary === null) {
+      readout.textContent = '';
+      return;
+    }
+    const found = await engine.ask('span', pointed);
+    if (!found || store.state.pointed !== pointed) return;
+    readout.textContent = spanLine(found.span, found.block, summary);
+  }
+
+  listenToPlotHand(canvas, {
+    pan(x, y) {
+      view.panBy(x, y);
+      redrawAll();
+    },
+    zoom(factor, x, y) {
+      view.zoomBy(factor, x, y);
+      redrawAll();
+      void refine();
+    },
+    fit,
+    point(x, y) {
+      store.set({ pointed: path === null ? null : spanAt(view, path, x, y) });
+    },
+    away: () => store.set({ pointed: null }),
+    press: (x, y) => goToSpan(path === null ? null : spanAt(view, path, x, y)),
+    goToSpan(direction) {
+      const at = store.state.here?.block?.span ?? (direction > 0 ? -1 : 0);
+      goToSpan(at + direction);
+    },
+  });
+
+  /** @param {number | null} index */
+  async function goToSpan(index) {
+    if (index === null || path === null || index < 0 || index >= path.kinds.length) return;
+    const block = await engine.ask('block', path.blocks[2 * index]);
+    if (block) onBlock(block.from);
+  }
+
+  byId('zoom-in', HTMLElement).addEventListener('click', () => (view.zoomBy(1.25), redrawAll(), refine()));
+  byId('zoom-out', HTMLElement).addEventListener('click', () => (view.zoomBy(0.8), redrawAll()));
+  byId('zoom-fit', HTMLElement).addEventListener('click', fit);
+
+  const planes = byId('planes', HTMLElement);
+  const choices = PLANES.map((plane) =>
+    button('segment', '', () => choosePlane(plane), { role: 'radio', 'data-plane': plane }),
+  );
+  planes.append(...choices);
+  planes.addEventListener('keydown', (event) => {
+    const way = ['ArrowRight', 'ArrowDown'].includes(event.key) ? 1 : ['ArrowLeft', 'ArrowUp'].includes(event.key) ? -1 : 0;
+    if (way === 0) return;
+    event.preventDefault();
+    const next = (PLANES.indexOf(view.plane) + way + PLANES.length) % PLANES.length;
+    choosePlane(PLANES[next]);
+    choices[next].focus();
+  });
+  /** @param {import('nctape').Plane} plane */
+  function choosePlane(plane) {
+    view.plane = plane;
+    namePlanes();
+    fit();
+  }
+  function namePlanes() {
+    const axes = store.state.summary?.axes ?? ['X', 'Y', 'Z'];
+    choices.forEach((choice, index) => {
+      const chosen = PLANES[index] === view.plane;
+      choice.textContent = AXES[PLANES[index]].map((axis) => axes[axis]).join('');
+      choice.setAttribute('aria-checked', String(chosen));
+      choice.tabIndex = chosen ? 0 : -1;
+    });
+  }
+
+  store.on(['summary'], ({ whole }) => {
+    if (whole) fitted = false;
+    namePlanes();
+    if (!fitted && view.width > 1) {
+      tolerance = Infinity;
+      fit();
+    } else void fetchPath();
+    tellHere();
+  });
+  store.on(['here'], () => {
+    tellHere();
+    redraw();
+  });
+  store.on(['pointed'], () => {
+    void tellPointed();
+    redraw();
+  });
+  store.on(['theme'], redrawAll);
+  namePlanes();
+  new ResizeObserver(measure).observe(host);
+}

@@ -1,0 +1,92 @@
+// From lengths to the picture and back: a plane, a scale, a middle.
+
+/** @typedef {import('nctape').Plane} Plane */
+/** @typedef {[number, number, number]} Point3 */
+
+/** The first axis of a plane goes to the right, the second up. @type {Record<Plane, [number, number]>} */
+export const AXES = { xy: [0, 1], zx: [2, 0], yz: [1, 2] };
+/** @type {Plane[]} */
+export const PLANES = ['xy', 'zx', 'yz'];
+
+/** Pixels for one unit of length, at least and at most. */
+const SCALES = [1e-5, 1e6];
+
+export class View {
+  constructor() {
+    /** @type {Plane} */
+    this.plane = 'xy';
+    /** CSS pixels for one unit of length. */
+    this.scale = 10;
+    /** What is in the middle of the picture. */
+    this.middle = [0, 0];
+    this.width = 1;
+    this.height = 1;
+    /** Room for the read-out and the labels at the edges. */
+    this.margin = { left: 44, right: 28, top: 40, bottom: 56 };
+  }
+
+  /** @param {ArrayLike<number>} point  a place in space */
+  toScreen(point) {
+    const [across, up] = AXES[this.plane];
+    return this.at(point[across] ?? 0, point[up] ?? 0);
+  }
+
+  /**
+   * @param {number} u
+   * @param {number} v
+   * @returns {[number, number]}
+   */
+  at(u, v) {
+    return [
+      this.width / 2 + (u - this.middle[0]) * this.scale,
+      this.height / 2 - (v - this.middle[1]) * this.scale,
+    ];
+  }
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   * @returns {[number, number]}
+   */
+  toWorld(x, y) {
+    return [
+      this.middle[0] + (x - this.width / 2) / this.scale,
+      this.middle[1] - (y - this.height / 2) / this.scale,
+    ];
+  }
+
+  /**
+   * @param {number} x
+   * @param {number} y
+   */
+  panBy(x, y) {
+    this.middle = [this.middle[0] - x / this.scale, this.middle[1] + y / this.scale];
+  }
+
+  /**
+   * Nearer by a factor; what is at this place of the picture stays there.
+   * @param {number} factor
+   * @param {number} [x]
+   * @param {number} [y]
+   */
+  zoomBy(factor, x = this.width / 2, y = this.height / 2) {
+    const [u, v] = this.toWorld(x, y);
+    this.scale = Math.max(SCALES[0], Math.min(SCALES[1], this.scale * factor));
+    const [nowX, nowY] = this.at(u, v);
+    this.panBy(x - nowX, y - nowY);
+  }
+
+  /** @param {import('nctape').Summary['bounds']} bounds */
+  fit(bounds) {
+    const [across, up] = AXES[this.plane];
+    const { left, right, top, bottom } = this.margin;
+    const min = bounds === null ? [0, 0] : [bounds.min[across], bounds.min[up]];
+    const max = bounds === null ? [100, 100] : [bounds.max[across], bounds.max[up]];
+    const wide = Math.max(1, this.width - left - right);
+    const high = Math.max(1, this.height - top - bottom);
+    const scale = Math.min(wide / Math.max(max[0] - min[0], 1e-9), high / Math.max(max[1] - min[1], 1e-9));
+    this.scale = Math.max(SCALES[0], Math.min(Math.min(SCALES[1], scale), 1e4));
+    this.middle = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2];
+    this.panBy((left - right) / 2, (top - bottom) / 2);
+  }
+}

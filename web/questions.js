@@ -1,0 +1,164 @@
+// What the page asks of the tape, one question for each view. Runs in the worker.
+/** @typedef {import('nctape').Tape} Tape */
+/** @typedef {import('nctape').Diagnostic} Diagnostic */
+/** @typedef {import('nctape').Severity} Severity */
+
+/**
+ * A block as the editor marks it.
+ * @typedef {object} ListedBlock
+ * @property {number} from
+ * @property {number} to
+ * @property {string | null} sequence
+ * @property {number} kind  0 none, else an index into `spanKinds()` plus 1
+ * @property {{ from: number, to: number, address: string }[]} words
+ */
+
+/**
+ * A stretch of rows with all that is drawn around it.
+ * @typedef {object} StripWindow
+ * @property {import('nctape').RowWindow} rows
+ * @property {{ row: number, text: string, index: number }[]} names  blocks that begin here, with their number
+ * @property {Uint8Array} marks  for each row: 0, or the worst severity there, as an index into `SEVERITIES` plus 1
+ */
+
+/** From mild to bad. @type {Severity[]} */
+const SEVERITIES = ['info', 'warning', 'error'];
+const MOST_LISTED = 500;
+const MOST_MARKS = 1000;
+
+/** @param {Tape} tape @param {number} row */
+const kindOfRow = (tape, row) => tape.rows(row, 1).kinds[0] ?? 0;
+
+export const questions = {
+  /**
+   * Where an offset lies in every view.
+   * @param {Tape} tape
+   * @param {number} offset
+   * @returns {import('./store.js').Here}
+   */
+  locate(tape, offset) {
+    const index = tape.blockAt(offset);
+    const block = index < 0 ? null : tape.block(index);
+    const span = block === null || block.span === null ? null : tape.span(block.span);
+    return { offset, row: tape.rowAt(offset), block, span };
+  },
+
+  /**
+   * Blocks and diagnostics that touch a stretch of the text.
+   * @param {Tape} tape
+   * @param {number} from
+   * @param {number} to
+   * @returns {{ blocks: ListedBlock[], diagnostics: Diagnostic[] }}
+   */
+  listing(tape, from, to) {
+    /** @type {ListedBlock[]} */
+    const blocks = [];
+    const first = firstBlockFrom(tape, from, to);
+    for (let index = first; index >= 0 && blocks.length < MOST_LISTED; index += 1) {
+      const block = tape.block(index);
+      if (block === null || block.from > to) break;
+      blocks.push({
+        from: block.from,
+        to: block.to,
+        sequence: block.sequence,
+        kind: block.rows[0] < block.rows[1] ? kindOfRow(tape, block.rows[0]) : 0,
+        words: block.words.slice(0, MOST_LISTED).map(({ from, to, address }) => ({ from, to, address })),
+      });
+    }
+    return { blocks, diagnostics: tape.diagnostics(from, to, MOST_LISTED) };
+  },
+
+  /**
+   * @param {Tape} tape
+   * @param {number} first
+   * @param {number} count
+   * @returns {StripWindow}
+   */
+  strip(tape, first, count) {
+    const rows = tape.rows(first, count);
+    const size = rows.bytes.length;
+    const names = [];
+    for (let i = 0; i < size; i += 1) {
+      const index = rows.blocks[i];
+      if (index < 0 || (i > 0 && rows.blocks[i - 1] === index)) continue;
+      const block = tape.block(index);
+      if (block !== null && block.sequence !== null && block.rows[0] === first + i) {
+        names.push({ row: first + i, text: block.sequence, index });
+      }
+    }
+    return { rows, names, marks: marksOf(tape, rows) };
+  },
+
+  /**
+   * @param {Tape} tape
+   * @param {number} from
+   * @param {number} to
+   * @param {number} limit
+   */
+  problems: (tape, from, to, limit) => tape.diagnostics(from, to, limit),
+
+  /** @param {Tape} tape @param {number} tolerance */
+  path: (tape, tolerance) => tape.path(tolerance),
+
+  /**
+   * A span with the block that ends it.
+   * @param {Tape} tape
+   * @param {number} index
+   */
+  span(tape, index) {
+    const span = tape.span(index);
+    return span === null ? null : { span, block: tape.block(span.blocks[1]) };
+  },
+
+  /** @param {Tape} tape @param {number} index */
+  block: (tape, index) => tape.block(index),
+};
+
+/**
+ * The first block that touches a stretch of text, -1 if none does.
+ * @param {Tape} tape
+ * @param {number} from
+ * @param {number} to
+ */
+function firstBlockFrom(tape, from, to) {
+  const at = tape.blockAt(from);
+  if (at >= 0) return at;
+  const row = tape.rowAt(from);
+  if (row < 0) return -1;
+  const rows = tape.rows(row, Math.min(to - from, 4096) + 1);
+  return rows.blocks.find((index) => index >= 0) ?? -1;
+}
+
+/**
+ * @param {Tape} tape
+ * @param {import('nctape').RowWindow} rows
+ */
+function marksOf(tape, rows) {
+  const size = rows.bytes.length;
+  const marks = new Uint8Array(size);
+  if (size === 0) return marks;
+  const { offsets } = rows;
+  for (const problem of tape.diagnostics(offsets[0], offsets[size - 1] + 1, MOST_MARKS)) {
+    const level = SEVERITIES.indexOf(problem.severity) + 1;
+    const end = Math.max(problem.to, problem.from + 1);
+    for (let i = firstAtOrAfter(offsets, problem.from); i < size && offsets[i] < end; i += 1) {
+      marks[i] = Math.max(marks[i], level);
+    }
+  }
+  return marks;
+}
+
+/**
+ * @param {Uint32Array} sorted
+ * @param {number} value
+ */
+function firstAtOrAfter(sorted, value) {
+  let low = 0;
+  let high = sorted.length;
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if (sorted[middle] < value) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}

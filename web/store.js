@@ -1,0 +1,60 @@
+// What all views show: one object, told to all of them in the same moment.
+
+/** @typedef {import('nctape').Summary} Summary */
+/** @typedef {import('nctape').Diagnostic} Diagnostic */
+/** @typedef {import('nctape').BlockView} BlockView */
+/** @typedef {import('nctape').Span} Span */
+/** @typedef {import('nctape').Format} Format */
+
+/**
+ * What the cursor is on, found in every view by one question to the engine.
+ * @typedef {object} Here
+ * @property {number} offset
+ * @property {number} row  -1 where no row follows
+ * @property {BlockView | null} block
+ * @property {Span | null} span
+ */
+
+/**
+ * @typedef {object} State
+ * @property {Format} format
+ * @property {import('nctape').FormatExplanation | null} explanation
+ * @property {Summary | null} summary  of the newest edit that the engine has answered
+ * @property {Here | null} here
+ * @property {number | null} pointed  the span under the pointer in the plot
+ * @property {{ from: number, to: number } | null} chosen  the range of the problem that was chosen last
+ * @property {boolean} whole  the text was replaced as a whole: what is shown may be fitted anew
+ * @property {'light' | 'dark'} theme
+ */
+
+export class Store {
+  /** @param {State} state */
+  constructor(state) {
+    this.state = state;
+    /** @type {{ keys: (keyof State)[], run: (state: State) => void }[]} */
+    this.listeners = [];
+  }
+
+  /**
+   * Changes some fields and tells everyone who looks at one of them.
+   * @param {Partial<State>} patch
+   */
+  set(patch) {
+    const changed = /** @type {(keyof State)[]} */ (Object.keys(patch)).filter(
+      (key) => this.state[key] !== patch[key],
+    );
+    if (changed.length === 0) return;
+    this.state = { ...this.state, ...patch };
+    for (const { keys, run } of this.listeners) {
+      if (keys.some((key) => changed.includes(key))) run(this.state);
+    }
+  }
+
+  /**
+   * @param {(keyof State)[]} keys
+   * @param {(state: State) => void} run
+   */
+  on(keys, run) {
+    this.listeners.push({ keys, run });
+  }
+}

@@ -1,0 +1,231 @@
+// The tape under the reader head.
+import { byId, lessMotion, onceAFrame } from '../dom.js';
+import { palette } from '../palette.js';
+import { listed, whole } from '../words.js';
+import { drawStrip, stripHeight } from './draw.js';
+import { listenToHand } from './input.js';
+import { SheetSource } from './sheet.js';
+import { Windows } from './windows.js';
+
+/** @typedef {import('../store.js').Store} Store */
+/** @typedef {import('../engine.js').Engine} Engine */
+
+/** How long the tape takes to a place near by, in milliseconds; a far one is there at once. */
+const GLIDE = 180;
+const NEAR = 400;
+
+/**
+ * @param {object} parts
+ * @param {Store} parts.store
+ * @param {Engine} parts.engine
+ * @param {string[]} parts.kinds
+ * @param {(offset: number) => void} parts.onRow  the hand brought this character to the head
+ */
+export function makeStrip({ store, engine, kinds, onRow }) {
+  const strip = byId('strip', HTMLElement);
+  const canvas = byId('strip-canvas', HTMLCanvasElement);
+  const words = byId('tape-words', HTMLElement);
+  const scrub = byId('tape-scrub', HTMLInputElement);
+  const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
+
+  /** @type {import('nctape').RowMeaning[] | null} */
+  let meanings = null;
+  let meaningsOf = '';
+  let position = 0;
+  /** Where the hand wants the tape before its row has come. @type {number | null} */
+  let wanted = null;
+  let held = false;
+  let ratio = 1;
+  /** CSS pixels of a row. */
+  let pitch = 14;
+
+  const redraw = onceAFrame(draw);
+  const windows = new Windows((first, count) => engine.ask('strip', first, count), () => {
+    tellRow();
+    redraw();
+  });
+  const sheets = new SheetSource((size, theme) => engine.fact('columns', size, theme), ({ bench }) => {
+    document.documentElement.style.setProperty('--bench', bench);
+    redraw();
+  });
+
+  const rows = () => store.state.summary?.rows ?? 0;
+  /** @param {number} row */
+  const inTape = (row) => Math.max(0, Math.min(row, rows() - 1));
+
+  function measure() {
+    ratio = window.devicePixelRatio || 1;
+    const wide = matchMedia('(min-width: 1000px)').matches;
+    const device = Math.max(4, Math.round((wide ? 13 : 11) * ratio));
+    pitch = device / ratio;
+    const height = stripHeight(pitch);
+    const width = strip.clientWidth;
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(height * ratio);
+    canvas.style.width = `${canvas.width / ratio}px`;
+    canvas.style.height = `${canvas.height / ratio}px`;
+    void sheets.want(device, store.state.theme);
+    redraw();
+  }
+
+  function draw() {
+    const { sheet } = sheets;
+    if (sheet === null || meanings === null || store.state.summary === null) return;
+    const half = canvas.width / ratio / pitch / 2 + 16;
+    windows.want(Math.floor(position - half), Math.min(rows() - 1, Math.ceil(position + half)));
+    const block = store.state.here?.block ?? null;
+    drawStrip(context, {
+      sheet,
+      windows,
+      meanings,
+      kinds,
+      colours: palette(store.state.theme),
+      font: getComputedStyle(document.documentElement).getPropertyValue('--mono'),
+      rows: rows(),
+      position,
+      lit: block === null ? null : block.rows,
+      ratio,
+    });
+  }
+
+  /** The character under the head, told once its row is here. */
+  function tellRow() {
+    if (wanted === null || !windows.isFresh(wanted)) return;
+    const known = windows.row(wanted);
+    wanted = null;
+    if (known === null) return;
+    onRow(known.offset);
+  }
+
+  /** @param {number} row */
+  function reach(row) {
+    wanted = inTape(Math.round(row));
+    windows.want(wanted, wanted);
+    tellRow();
+  }
+
+  let glide = 0;
+  /** @param {number} row */
+  function glideTo(row) {
+    cancelAnimationFrame(glide);
+    const start = position;
+    const way = row - start;
+    if (way === 0 || lessMotion() || Math.abs(way) > NEAR) {
+      position = row;
+      redraw();
+      return;
+    }
+    /** @type {number | null} */
+    let began = null;
+    const step = (/** @type {number} */ now) => {
+      began ??= now;
+      const share = Math.min(1, (now - began) / GLIDE);
+      position = start + way * (1 - (1 - share) ** 3);
+      draw();
+      if (share < 1) glide = requestAnimationFrame(step);
+    };
+    glide = requestAnimationFrame(step);
+  }
+
+  listenToHand(strip, {
+    pitch: () => pitch,
+    position: () => position,
+    rows,
+    slide(row) {
+      cancelAnimationFrame(glide);
+      held = true;
+      position = inTape(row);
+      reach(position);
+      redraw();
+    },
+    settle(row) {
+      held = false;
+      glideTo(inTape(Math.round(row)));
+    },
+    go(row) {
+      held = false;
+      glideTo(inTape(row));
+      reach(row);
+    },
+    async goToBlock(direction) {
+      const at = windows.row(Math.round(position))?.block ?? -1;
+      const block = await engine.ask('block', Math.max(0, at + direction));
+      if (block) this.go(block.rows[0]);
+    },
+  });
+
+  scrub.addEventListener('input', () => {
+    position = inTape(Number(scrub.value));
+    reach(position);
+    redraw();
+  });
+
+  store.on(['summary'], async ({ summary }) => {
+    windows.expire();
+    wanted = null;
+    position = inTape(position);
+    redraw();
+    if (summary !== null && summary.code !== meaningsOf) {
+      meaningsOf = summary.code;
+      meanings = await engine.fact('codeTable', summary.code);
+      describe();
+      redraw();
+    }
+  });
+  store.on(['here'], ({ here }) => {
+    if (here !== null && here.row >= 0 && !held && wanted === null) glideTo(inTape(here.row));
+    else if (here !== null && here.row < 0 && rows() > 0 && wanted === null) glideTo(rows() - 1);
+    describe();
+    redraw();
+  });
+  store.on(['theme'], measure);
+
+  async function describe() {
+    const { here, summary } = store.state;
+    if (here === null || summary === null || meanings === null) return;
+    const row = here.row < 0 ? Math.max(0, summary.rows - 1) : here.row;
+    strip.setAttribute('aria-valuemax', String(Math.max(1, summary.rows)));
+    strip.setAttribute('aria-valuenow', String(row + 1));
+    scrub.max = String(Math.max(0, summary.rows - 1));
+    scrub.value = String(row);
+    windows.want(row, row);
+    const known = summary.rows > 0 ? windows.row(row) : null;
+    if (summary.rows === 0) words.textContent = 'The tape is empty.';
+    else if (known !== null) words.textContent = rowWords(row, summary.rows, here.block?.sequence ?? null, meanings[known.byte]);
+    strip.setAttribute('aria-valuetext', words.textContent ?? '');
+  }
+  const arrived = windows.onArrival;
+  windows.onArrival = () => {
+    arrived();
+    void describe();
+  };
+
+  new ResizeObserver(measure).observe(strip);
+  watchRatio(measure);
+  return { focus: () => strip.focus() };
+}
+
+/**
+ * "Row 152 of 358, block N006, G, tracks 1, 2, 3 and 7."
+ * @param {number} row
+ * @param {number} rows
+ * @param {string | null} block
+ * @param {import('nctape').RowMeaning} meaning
+ */
+function rowWords(row, rows, block, { name, tracks, parity }) {
+  const holes = tracks.length === 0 ? 'no hole' : `${tracks.length === 1 ? 'a hole in track' : 'holes in tracks'} ${listed(tracks)}`;
+  const place = `Row ${whole(row + 1)} of ${whole(rows)}`;
+  return `${[place, block === null ? null : `block ${block}`, name, holes].filter((part) => part !== null && part !== '').join(' · ')}${parity ? '' : ' · wrong parity'}`;
+}
+
+/**
+ * Calls when the page moves to a screen of another density, or is zoomed.
+ * @param {() => void} run
+ */
+function watchRatio(run) {
+  const query = matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`);
+  query.addEventListener('change', () => {
+    run();
+    watchRatio(run);
+  }, { once: true });
+}

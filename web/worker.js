@@ -1,0 +1,126 @@
+// The worker owns the wasm and the one live tape. It answers in the order in which it is asked.
+import init, * as nctape from 'nctape';
+import { questions } from './questions.js';
+
+/** @typedef {{ summary: import('nctape').Summary, here: import('./store.js').Here }} Change */
+
+/** @type {nctape.Tape | null} */
+let tape = null;
+
+const tapeOrThrow = () => {
+  if (tape === null) throw new Error('no tape is open');
+  return tape;
+};
+
+/**
+ * @param {nctape.Tape} on
+ * @param {number} offset  of the cursor, which every change moves
+ * @returns {Change}
+ */
+const changed = (on, offset) => ({ summary: on.summary(), here: questions.locate(on, offset) });
+
+/** What changes the tape. Each answers with the counts and the place of the cursor after it. */
+const changes = {
+  /**
+   * @param {string} source
+   * @param {import('nctape').Format} format
+   * @param {number} offset
+   */
+  open(source, format, offset) {
+    const next = new nctape.Tape(source, format);
+    tape?.free();
+    tape = next;
+    return changed(tape, offset);
+  },
+  /**
+   * @param {[from: number, to: number, insert: string][]} edits  from the last one to the first
+   * @param {number} offset
+   */
+  edit(edits, offset) {
+    const on = tapeOrThrow();
+    for (const [from, to, insert] of edits) on.edit(from, to, insert);
+    return changed(on, offset);
+  },
+  /**
+   * @param {import('nctape').Format} format
+   * @param {number} offset
+   */
+  setFormat(format, offset) {
+    const on = tapeOrThrow();
+    on.setFormat(format);
+    return changed(on, offset);
+  },
+};
+
+/** What the package knows without a tape. */
+const facts = {
+  version: nctape.version,
+  presets: nctape.presets,
+  rules: nctape.rules,
+  standards: nctape.standards,
+  spanKinds: nctape.spanKinds,
+  codeTable: nctape.codeTable,
+  formatFields: nctape.formatFields,
+  formatLine: nctape.formatLine,
+  explainFormat: nctape.explainFormat,
+  /**
+   * The 256 columns of tape as one picture.
+   * @param {number} pitch
+   * @param {'light' | 'dark'} theme
+   */
+  async columns(pitch, theme) {
+    const { image, ...sizes } = nctape.columns(pitch, theme);
+    // The first pixel is bench: the page paints its surroundings with the same.
+    const bench = `rgb(${image.data.slice(0, 3).join(' ')})`;
+    return { sheet: await createImageBitmap(image), bench, ...sizes };
+  },
+};
+
+/** @typedef {typeof changes} Changes */
+/** @typedef {typeof facts} Facts */
+/** @typedef {typeof questions} Questions */
+
+/** @param {{ about: string, name: string, args: any[] }} request */
+function answer({ about, name, args }) {
+  if (about === 'change') {
+    const change = /** @type {(...args: any[]) => Change} */ (changes[/** @type {keyof Changes} */ (name)]);
+    return change(...args);
+  }
+  if (about === 'tape') {
+    const question = /** @type {(tape: nctape.Tape, ...args: any[]) => unknown} */ (
+      questions[/** @type {keyof Questions} */ (name)]
+    );
+    return question(tapeOrThrow(), ...args);
+  }
+  return /** @type {(...args: any[]) => unknown} */ (facts[/** @type {keyof Facts} */ (name)])(...args);
+}
+
+/**
+ * What a refused argument says; everything else that is thrown leaves the wasm in an unknown state.
+ * @param {unknown} error
+ */
+const isRefusal = (error) => error instanceof TypeError && 'field' in error;
+
+const ready = init().then(
+  () => postMessage({ ready: true }),
+  (error) => {
+    postMessage({ failed: String(error?.message ?? error) });
+    throw error;
+  },
+);
+ready.catch(() => {});
+
+onmessage = async ({ data }) => {
+  try {
+    await ready;
+  } catch {
+    return;
+  }
+  try {
+    const value = await answer(data);
+    postMessage({ id: data.id, value });
+  } catch (error) {
+    const message = error instanceof Error ? error.message : String(error);
+    postMessage(isRefusal(error) ? { id: data.id, refused: message } : { id: data.id, trap: message });
+  }
+};
