@@ -33,7 +33,14 @@ pub fn both(workspace: &Workspace) -> Result<(), Trouble> {
 
 /// The npm package.
 pub fn package(workspace: &Workspace) -> Result<(), Trouble> {
-    run(wasm_pack::command(workspace)?.args([
+    let mut wasm_pack = wasm_pack::command(workspace)?;
+    let pkg = workspace.pkg();
+    // Otherwise wasm-pack keeps what it does not know, and the list of files would grow each time.
+    if pkg.exists() {
+        fs::remove_dir_all(&pkg)
+            .map_err(|e| format!("the old {} cannot be removed: {e}.", pkg.display()))?;
+    }
+    run(wasm_pack.args([
         "build",
         "crates/nctape-wasm",
         "--target",
@@ -46,7 +53,6 @@ pub fn package(workspace: &Workspace) -> Result<(), Trouble> {
         "--mode",
         "no-install",
     ]))?;
-    let pkg = workspace.pkg();
     // wasm-pack names the package after the crate.
     let mut set = npm::npm(&pkg);
     set.args(["pkg", "set", "name=nctape"]);

@@ -18,14 +18,14 @@ pub struct Browser {
 
 /// Finds the browser and its driver, and installs them where this can be done.
 pub fn ensure() -> Result<Browser, Trouble> {
-    if (browsers().is_empty() || driver().is_none()) && can_apt_get() {
+    if (browsers()?.is_empty() || driver()?.is_none()) && can_apt_get() {
         install()?;
     }
-    let browsers = browsers();
+    let browsers = browsers()?;
     if browsers.is_empty() {
         return Err(missing("neither Chromium nor Chrome was found"));
     }
-    let driver = driver().ok_or_else(|| missing("chromedriver was not found"))?;
+    let driver = driver()?.ok_or_else(|| missing("chromedriver was not found"))?;
     let wanted = major(&driver);
     let fitting = browsers
         .iter()
@@ -48,10 +48,9 @@ pub fn ensure() -> Result<Browser, Trouble> {
     }
 }
 
-fn browsers() -> Vec<PathBuf> {
-    let named = std::env::var_os("NCTAPE_BROWSER").map(PathBuf::from);
-    if named.is_some() {
-        return named.into_iter().filter(|file| file.is_file()).collect();
+fn browsers() -> Result<Vec<PathBuf>, Trouble> {
+    if let Some(browser) = named_by("NCTAPE_BROWSER")? {
+        return Ok(vec![browser]);
     }
     let on_path = [
         "chromium",
@@ -71,13 +70,22 @@ fn browsers() -> Vec<PathBuf> {
     .iter()
     .map(PathBuf::from)
     .filter(|file| file.is_file());
-    on_path.chain(elsewhere).collect()
+    Ok(on_path.chain(elsewhere).collect())
 }
 
-fn driver() -> Option<PathBuf> {
-    match std::env::var_os("CHROMEDRIVER") {
-        Some(named) => Some(PathBuf::from(named)).filter(|file| file.is_file()),
-        None => find_program("chromedriver"),
+fn driver() -> Result<Option<PathBuf>, Trouble> {
+    let named = named_by("CHROMEDRIVER")?;
+    Ok(named.or_else(|| find_program("chromedriver")))
+}
+
+/// The program that a variable names.
+fn named_by(variable: &str) -> Result<Option<PathBuf>, Trouble> {
+    match std::env::var_os(variable).map(PathBuf::from) {
+        Some(file) if !file.is_file() => Err(format!(
+            "{variable} names {}, which is no file. Correct or unset it.",
+            file.display()
+        )),
+        named => Ok(named),
     }
 }
 
