@@ -29,10 +29,7 @@ pub fn run_tests(command: &mut Command, read: ReadLine) -> (Tally, Result<(), Tr
 
 fn stream(command: &mut Command, mut each_line: impl FnMut(&str)) -> Result<(), Trouble> {
     // Standard error stays the terminal's own, so that progress and colours are kept.
-    let mut child = command
-        .stdout(Stdio::piped())
-        .spawn()
-        .map_err(|e| not_started(command, &e))?;
+    let mut child = command.stdout(Stdio::piped()).spawn().map_err(|e| not_started(command, &e))?;
     if let Some(stdout) = child.stdout.take() {
         let mut reader = BufReader::new(stdout);
         let mut bytes = Vec::new();
@@ -50,20 +47,12 @@ fn stream(command: &mut Command, mut each_line: impl FnMut(&str)) -> Result<(), 
 }
 
 fn verdict(command: &Command, status: ExitStatus) -> Result<(), Trouble> {
-    if status.success() {
-        Ok(())
-    } else {
-        Err(format!("`{}` failed ({status}).", line(command)))
-    }
+    if status.success() { Ok(()) } else { Err(format!("`{}` failed ({status}).", line(command))) }
 }
 
 /// What a program prints, or nothing if it is missing or fails.
 pub fn output(command: &mut Command) -> Option<String> {
-    let output = command
-        .stdin(Stdio::null())
-        .stderr(Stdio::null())
-        .output()
-        .ok()?;
+    let output = command.stdin(Stdio::null()).stderr(Stdio::null()).output().ok()?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     output.status.success().then_some(text)
 }
@@ -72,9 +61,7 @@ pub fn output(command: &mut Command) -> Option<String> {
 pub fn find_program(name: &str) -> Option<PathBuf> {
     let path = std::env::var_os("PATH")?;
     let name = format!("{name}{}", std::env::consts::EXE_SUFFIX);
-    std::env::split_paths(&path)
-        .map(|folder| folder.join(&name))
-        .find(|file| file.is_file())
+    std::env::split_paths(&path).map(|folder| folder.join(&name)).find(|file| file.is_file())
 }
 
 /// PATH with these folders before it.
@@ -97,18 +84,8 @@ fn announce(command: &Command) {
 /// The command as one would type it; folders of programs and variables are left out.
 fn line(command: &Command) -> String {
     let program = Path::new(command.get_program());
-    let mut words = vec![
-        program
-            .file_stem()
-            .unwrap_or(program.as_os_str())
-            .to_string_lossy()
-            .into_owned(),
-    ];
-    words.extend(
-        command
-            .get_args()
-            .map(|arg| arg.to_string_lossy().into_owned()),
-    );
+    let mut words = vec![program.file_stem().unwrap_or(program.as_os_str()).to_string_lossy().into_owned()];
+    words.extend(command.get_args().map(|arg| arg.to_string_lossy().into_owned()));
     words.join(" ")
 }
 

@@ -25,29 +25,16 @@ impl Outcome {
     fn counted(&self) -> Tally {
         let tests = self.tests.unwrap_or_default();
         match &self.result {
-            Ok(()) if self.tests.is_none() => Tally {
-                passed: 1,
-                failed: 0,
-            },
+            Ok(()) if self.tests.is_none() => Tally { passed: 1, failed: 0 },
             Ok(()) => tests,
-            Err(_) => Tally {
-                passed: tests.passed,
-                failed: tests.failed.max(1),
-            },
+            Err(_) => Tally { passed: tests.passed, failed: tests.failed.max(1) },
         }
     }
 
     fn line(&self) -> String {
-        let verdict = if self.result.is_ok() {
-            "passed"
-        } else {
-            "failed"
-        };
+        let verdict = if self.result.is_ok() { "passed" } else { "failed" };
         let tests = match self.tests {
-            Some(Tally {
-                passed: 1,
-                failed: 0,
-            }) => "1 test".into(),
+            Some(Tally { passed: 1, failed: 0 }) => "1 test".into(),
             Some(Tally { passed, failed: 0 }) => format!("{passed} tests"),
             Some(Tally { passed, failed }) => format!("{failed} of {} tests", passed + failed),
             None => String::new(),
@@ -90,20 +77,14 @@ mod tests {
 
     #[test]
     fn a_check_counts_as_one_and_tests_as_themselves() {
-        let text = summary(&[
-            outcome("fmt", None, true),
-            outcome("native", Some((40, 2)), false),
-        ]);
+        let text = summary(&[outcome("fmt", None, true), outcome("native", Some((40, 2)), false)]);
         assert_eq!(text.lines().last(), Some("41 passed, 2 failed"));
         assert!(text.contains("2 of 42 tests"), "{text}");
     }
 
     #[test]
     fn a_suite_that_could_not_run_is_a_failure() {
-        let text = summary(&[
-            outcome("native", Some((0, 0)), false),
-            outcome("doc", None, false),
-        ]);
+        let text = summary(&[outcome("native", Some((0, 0)), false), outcome("doc", None, false)]);
         assert_eq!(text.lines().last(), Some("0 passed, 2 failed"));
         assert!(text.contains("it broke."), "{text}");
     }

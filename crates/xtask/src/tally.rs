@@ -24,10 +24,7 @@ pub type ReadLine = fn(&str) -> Option<Tally>;
 /// `test result: ok. 3 passed; 0 failed; 1 ignored; …`, which `cargo test` prints for each test
 /// program, and wasm-bindgen's runner likewise.
 pub fn cargo_line(line: &str) -> Option<Tally> {
-    let (_, counts) = line
-        .trim()
-        .strip_prefix("test result: ")?
-        .split_once(". ")?;
+    let (_, counts) = line.trim().strip_prefix("test result: ")?.split_once(". ")?;
     let mut tally = Tally::default();
     for count in counts.split(';') {
         match number_before(count.trim()) {
@@ -44,15 +41,9 @@ pub fn node_line(line: &str) -> Option<Tally> {
     let (word, n) = line.strip_prefix("ℹ ")?.trim_end().split_once(' ')?;
     let n = n.parse().ok()?;
     match word {
-        "pass" => Some(Tally {
-            passed: n,
-            failed: 0,
-        }),
+        "pass" => Some(Tally { passed: n, failed: 0 }),
         // A cancelled test was not finished: it shows nothing, so it counts as failed.
-        "fail" | "cancelled" => Some(Tally {
-            passed: 0,
-            failed: n,
-        }),
+        "fail" | "cancelled" => Some(Tally { passed: 0, failed: n }),
         _ => None,
     }
 }
@@ -82,26 +73,13 @@ test reads_x ... ok
 test result: ok. 2 passed; 0 failed; 0 ignored; 0 measured; 0 filtered out; finished in 0.00s
 test result: FAILED. 3 passed; 1 failed; 4 ignored; 0 measured; 0 filtered out; finished in 0.1s
 ";
-        assert_eq!(
-            sum(cargo_line, output),
-            Tally {
-                passed: 5,
-                failed: 1
-            }
-        );
+        assert_eq!(sum(cargo_line, output), Tally { passed: 5, failed: 1 });
     }
 
     #[test]
     fn counts_a_cancelled_node_test_as_failed() {
-        let output =
-            "✔ inits (3ms)\nℹ tests 9\nℹ pass 6\nℹ fail 1\nℹ cancelled 2\nℹ duration_ms 812.5\n";
-        assert_eq!(
-            sum(node_line, output),
-            Tally {
-                passed: 6,
-                failed: 3
-            }
-        );
+        let output = "✔ inits (3ms)\nℹ tests 9\nℹ pass 6\nℹ fail 1\nℹ cancelled 2\nℹ duration_ms 812.5\n";
+        assert_eq!(sum(node_line, output), Tally { passed: 6, failed: 3 });
     }
 
     #[test]

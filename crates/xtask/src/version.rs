@@ -16,11 +16,7 @@ pub struct Version {
 impl Version {
     /// A version from its three numbers.
     pub const fn new(major: u32, minor: u32, patch: u32) -> Self {
-        Self {
-            major,
-            minor,
-            patch,
-        }
+        Self { major, minor, patch }
     }
 
     /// The first version in what `TOOL --version` printed: `v20.19.0`, `wasm-pack 0.15.1`,
@@ -60,14 +56,8 @@ mod tests {
             ("v20.20.2\n", Version::new(20, 20, 2)),
             ("wasm-pack 0.15.1", Version::new(0, 15, 1)),
             ("wasm-bindgen 0.2.130", Version::new(0, 2, 130)),
-            (
-                "Chromium 156.0.8078.79 built on Debian GNU/Linux 12",
-                Version::new(156, 0, 8078),
-            ),
-            (
-                "ChromeDriver 156.0.8078.79 (abc1234)",
-                Version::new(156, 0, 8078),
-            ),
+            ("Chromium 156.0.8078.79 built on Debian GNU/Linux 12", Version::new(156, 0, 8078)),
+            ("ChromeDriver 156.0.8078.79 (abc1234)", Version::new(156, 0, 8078)),
             ("v22.12.0-nightly2024", Version::new(22, 12, 0)),
         ] {
             assert_eq!(Version::in_text(text), Some(expected), "{text}");

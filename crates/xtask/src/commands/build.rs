@@ -16,9 +16,7 @@ const README: &str = include_str!("../../package-readme.md");
 /// Builds both.
 pub fn command(workspace: &Workspace, args: &[String]) -> Result<ExitCode, Trouble> {
     if let Some(unknown) = args.first() {
-        return Err(format!(
-            "`build` takes no argument, and was given `{unknown}`."
-        ));
+        return Err(format!("`build` takes no argument, and was given `{unknown}`."));
     }
     both(workspace)?;
     say("The npm package is in pkg/, the site in dist/.");
@@ -37,8 +35,7 @@ pub fn package(workspace: &Workspace) -> Result<(), Trouble> {
     let pkg = workspace.pkg();
     // Otherwise wasm-pack keeps what it does not know, and the list of files would grow each time.
     if pkg.exists() {
-        fs::remove_dir_all(&pkg)
-            .map_err(|e| format!("the old {} cannot be removed: {e}.", pkg.display()))?;
+        fs::remove_dir_all(&pkg).map_err(|e| format!("the old {} cannot be removed: {e}.", pkg.display()))?;
     }
     run(wasm_pack.args([
         "build",
@@ -61,15 +58,12 @@ pub fn package(workspace: &Workspace) -> Result<(), Trouble> {
         fs::copy(workspace.path(licence), pkg.join(licence))
             .map_err(|e| format!("{licence} cannot be copied to pkg/: {e}."))?;
     }
-    fs::write(pkg.join("README.md"), README)
-        .map_err(|e| format!("pkg/README.md cannot be written: {e}."))?;
+    fs::write(pkg.join("README.md"), README).map_err(|e| format!("pkg/README.md cannot be written: {e}."))?;
     run(&mut set)
 }
 
 /// The static site, from a package that is built.
 pub fn site(workspace: &Workspace) -> Result<(), Trouble> {
     npm::ensure(workspace)?;
-    run(npm::node(workspace)
-        .arg("node_modules/vite/bin/vite.js")
-        .arg("build"))
+    run(npm::node(workspace).arg("node_modules/vite/bin/vite.js").arg("build"))
 }

@@ -24,14 +24,9 @@ pub fn command(workspace: &Workspace, args: &[String]) -> Result<ExitCode, Troub
     let options = options(args)?;
     build::both(workspace)?;
     let listener = http::listen(options.port, USUAL_PORT)?;
-    let port = listener
-        .local_addr()
-        .map_err(|e| format!("the port that was taken is not known: {e}."))?
-        .port();
+    let port = listener.local_addr().map_err(|e| format!("the port that was taken is not known: {e}."))?.port();
     let address = format!("http://127.0.0.1:{port}/");
-    say(&format!(
-        "The playground is at {address} until Ctrl+C is pressed."
-    ));
+    say(&format!("The playground is at {address} until Ctrl+C is pressed."));
     if options.open && has_desktop() {
         open(&address);
     }
@@ -40,10 +35,7 @@ pub fn command(workspace: &Workspace, args: &[String]) -> Result<ExitCode, Troub
 }
 
 fn options(args: &[String]) -> Result<Options, Trouble> {
-    let mut options = Options {
-        port: None,
-        open: true,
-    };
+    let mut options = Options { port: None, open: true };
     let mut args = args.iter();
     while let Some(arg) = args.next() {
         let port = match arg.as_str() {
@@ -55,9 +47,7 @@ fn options(args: &[String]) -> Result<Options, Trouble> {
             other => match other.strip_prefix("--port=") {
                 Some(port) => Some(port),
                 None => {
-                    return Err(format!(
-                        "`serve` knows --port N and --no-open, and was given `{other}`."
-                    ));
+                    return Err(format!("`serve` knows --port N and --no-open, and was given `{other}`."));
                 }
             },
         };
@@ -86,12 +76,7 @@ fn open(address: &str) {
     } else {
         Command::new("xdg-open")
     };
-    let _ = command
-        .arg(address)
-        .stdin(Stdio::null())
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .spawn();
+    let _ = command.arg(address).stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn();
 }
 
 #[cfg(test)]

@@ -39,11 +39,7 @@ pub const SUITES: [Suite; 11] = [
     suite("e2e", Some("site"), e2e),
 ];
 
-const fn suite(
-    name: &'static str,
-    needs: Option<&'static str>,
-    run: fn(&Workspace) -> Run,
-) -> Suite {
+const fn suite(name: &'static str, needs: Option<&'static str>, run: fn(&Workspace) -> Run) -> Suite {
     Suite { name, needs, run }
 }
 
@@ -57,9 +53,7 @@ fn fmt(workspace: &Workspace) -> Run {
 fn clippy(workspace: &Workspace) -> Run {
     check(|| {
         rust::ensure_component(workspace, "clippy")?;
-        run(rust::cargo(workspace)
-            .args(["clippy", "--workspace", "--all-targets"])
-            .args(["--", "-D", "warnings"]))
+        run(rust::cargo(workspace).args(["clippy", "--workspace", "--all-targets"]).args(["--", "-D", "warnings"]))
     })
 }
 
@@ -67,27 +61,21 @@ fn clippy_wasm(workspace: &Workspace) -> Run {
     check(|| {
         rust::ensure_component(workspace, "clippy")?;
         rust::ensure_target(workspace)?;
-        run(rust::cargo(workspace)
-            .args(["clippy", "--package", "nctape-wasm", "--all-targets"])
-            .args(["--target", rust::WASM, "--", "-D", "warnings"]))
+        let mut clippy = rust::cargo(workspace);
+        clippy.args(["clippy", "--package", "nctape-wasm", "--all-targets", "--target", rust::WASM]);
+        run(clippy.args(["--", "-D", "warnings"]))
     })
 }
 
 fn native(workspace: &Workspace) -> Run {
     tests(
-        rust::cargo(workspace)
-            .args(["test", "--workspace", "--exclude", "nctape-wasm"])
-            .arg("--no-fail-fast"),
+        rust::cargo(workspace).args(["test", "--workspace", "--exclude", "nctape-wasm"]).arg("--no-fail-fast"),
         cargo_line,
     )
 }
 
 fn doc(workspace: &Workspace) -> Run {
-    check(|| {
-        run(rust::cargo(workspace)
-            .args(["doc", "--workspace", "--no-deps"])
-            .env("RUSTDOCFLAGS", "-D warnings"))
-    })
+    check(|| run(rust::cargo(workspace).args(["doc", "--workspace", "--no-deps"]).env("RUSTDOCFLAGS", "-D warnings")))
 }
 
 fn wasm(workspace: &Workspace) -> Run {
@@ -126,9 +114,7 @@ fn e2e(workspace: &Workspace) -> Run {
         .and_then(|()| browser::ensure())
         .and_then(|browser| Ok((browser, node_tests(workspace, "tests/e2e")?)));
     match prepared {
-        Ok((browser, mut command)) => {
-            tests(command.env("NCTAPE_BROWSER", browser.browser), node_line)
-        }
+        Ok((browser, mut command)) => tests(command.env("NCTAPE_BROWSER", browser.browser), node_line),
         Err(trouble) => (None, Err(trouble)),
     }
 }

@@ -15,11 +15,7 @@ pub fn command(workspace: &Workspace, args: &[String]) -> Result<ExitCode, Troub
     for suite in chosen(args)? {
         say(&format!("{} ──", suite.name));
         let start = Instant::now();
-        let failed = |name: &str| {
-            outcomes
-                .iter()
-                .any(|done| done.name == name && done.result.is_err())
-        };
+        let failed = |name: &str| outcomes.iter().any(|done| done.name == name && done.result.is_err());
         let (tests, result) = match suite.needs.filter(|&needed| failed(needed)) {
             Some(needed) => (None, Err(format!("not run, because {needed} failed."))),
             None => (suite.run)(workspace),
@@ -27,12 +23,7 @@ pub fn command(workspace: &Workspace, args: &[String]) -> Result<ExitCode, Troub
         if let Err(trouble) = &result {
             eprintln!("{}: {trouble}", suite.name);
         }
-        outcomes.push(Outcome {
-            name: suite.name,
-            tests,
-            result,
-            took: start.elapsed(),
-        });
+        outcomes.push(Outcome { name: suite.name, tests, result, took: start.elapsed() });
     }
     say("Summary ──");
     println!("{}", summary(&outcomes));
@@ -48,26 +39,16 @@ pub fn names() -> Vec<&'static str> {
 /// The suites named and those that they need, in the order of `SUITES`.
 fn chosen(args: &[String]) -> Result<Vec<&'static Suite>, Trouble> {
     if let Some(unknown) = args.iter().find(|arg| !names().contains(&arg.as_str())) {
-        return Err(format!(
-            "there is no suite `{unknown}`. The suites are {}.",
-            names().join(", ")
-        ));
+        return Err(format!("there is no suite `{unknown}`. The suites are {}.", names().join(", ")));
     }
-    let mut wanted: Vec<&str> = if args.is_empty() {
-        names()
-    } else {
-        args.iter().map(String::as_str).collect()
-    };
+    let mut wanted: Vec<&str> = if args.is_empty() { names() } else { args.iter().map(String::as_str).collect() };
     // What a suite needs stands before it, so one pass from the end finds all of it.
     for suite in SUITES.iter().rev() {
         if wanted.contains(&suite.name) {
             wanted.extend(suite.needs);
         }
     }
-    Ok(SUITES
-        .iter()
-        .filter(|suite| wanted.contains(&suite.name))
-        .collect())
+    Ok(SUITES.iter().filter(|suite| wanted.contains(&suite.name)).collect())
 }
 
 #[cfg(test)]
@@ -84,10 +65,7 @@ mod tests {
     fn a_suite_brings_what_it_needs() {
         assert_eq!(names(&["fmt"]), Some(vec!["fmt"]));
         assert_eq!(names(&["e2e"]), Some(vec!["package", "site", "e2e"]));
-        assert_eq!(
-            names(&["node", "fmt"]),
-            Some(vec!["fmt", "package", "node"])
-        );
+        assert_eq!(names(&["node", "fmt"]), Some(vec!["fmt", "package", "node"]));
     }
 
     #[test]

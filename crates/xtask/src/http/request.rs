@@ -24,8 +24,7 @@ impl Request {
     /// Reads the first line of a request: `GET /assets/a.js?v=1 HTTP/1.1`.
     pub fn from_line(line: &str) -> Result<Self, Refusal> {
         let mut words = line.split_ascii_whitespace();
-        let (Some(method), Some(target), Some(_), None) =
-            (words.next(), words.next(), words.next(), words.next())
+        let (Some(method), Some(target), Some(_), None) = (words.next(), words.next(), words.next(), words.next())
         else {
             return Err(Refusal::Bad);
         };

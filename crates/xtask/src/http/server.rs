@@ -31,8 +31,7 @@ pub fn listen(asked: Option<u16>, usual: u16) -> Result<TcpListener, Trouble> {
 
 /// Answers requests with the files of a folder until the process is ended.
 pub fn serve(listener: &TcpListener, folder: &Path) -> Result<(), Trouble> {
-    let folder = fs::canonicalize(folder)
-        .map_err(|e| format!("{} cannot be served: {e}.", folder.display()))?;
+    let folder = fs::canonicalize(folder).map_err(|e| format!("{} cannot be served: {e}.", folder.display()))?;
     for stream in listener.incoming() {
         let folder = folder.clone();
         // A connection that breaks off concerns nobody but the browser that broke it off.

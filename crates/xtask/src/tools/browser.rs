@@ -27,23 +27,14 @@ pub fn ensure() -> Result<Browser, Trouble> {
     }
     let driver = driver()?.ok_or_else(|| missing("chromedriver was not found"))?;
     let wanted = major(&driver);
-    let fitting = browsers
-        .iter()
-        .find(|browser| wanted.is_none() || major(browser) == wanted);
+    let fitting = browsers.iter().find(|browser| wanted.is_none() || major(browser) == wanted);
     match fitting {
-        Some(browser) => Ok(Browser {
-            browser: browser.clone(),
-            driver,
-        }),
+        Some(browser) => Ok(Browser { browser: browser.clone(), driver }),
         None => Err(format!(
             "chromedriver is of version {}, and none of these browsers is: {}. \
              Install the chromedriver that goes with one of them.",
             wanted.unwrap_or_default(),
-            browsers
-                .iter()
-                .map(|browser| browser.display().to_string())
-                .collect::<Vec<_>>()
-                .join(", ")
+            browsers.iter().map(|browser| browser.display().to_string()).collect::<Vec<_>>().join(", ")
         )),
     }
 }
@@ -52,15 +43,9 @@ fn browsers() -> Result<Vec<PathBuf>, Trouble> {
     if let Some(browser) = named_by("NCTAPE_BROWSER")? {
         return Ok(vec![browser]);
     }
-    let on_path = [
-        "chromium",
-        "chromium-browser",
-        "google-chrome",
-        "google-chrome-stable",
-        "chrome",
-    ]
-    .iter()
-    .filter_map(|name| find_program(name));
+    let on_path = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome"]
+        .iter()
+        .filter_map(|name| find_program(name));
     // Where Chrome's own installer puts it, off PATH, on macOS and Windows.
     let elsewhere = [
         "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome",
@@ -81,10 +66,9 @@ fn driver() -> Result<Option<PathBuf>, Trouble> {
 /// The program that a variable names.
 fn named_by(variable: &str) -> Result<Option<PathBuf>, Trouble> {
     match std::env::var_os(variable).map(PathBuf::from) {
-        Some(file) if !file.is_file() => Err(format!(
-            "{variable} names {}, which is no file. Correct or unset it.",
-            file.display()
-        )),
+        Some(file) if !file.is_file() => {
+            Err(format!("{variable} names {}, which is no file. Correct or unset it.", file.display()))
+        }
         named => Ok(named),
     }
 }
@@ -100,8 +84,8 @@ fn major(program: &PathBuf) -> Option<u32> {
 
 /// Only Debian: Ubuntu's packages of these names are stubs of another installer.
 fn can_apt_get() -> bool {
-    let is_debian = fs::read_to_string("/etc/os-release")
-        .is_ok_and(|text| text.lines().any(|line| line == "ID=debian"));
+    let is_debian =
+        fs::read_to_string("/etc/os-release").is_ok_and(|text| text.lines().any(|line| line == "ID=debian"));
     let is_root = output(Command::new("id").arg("-u")).is_some_and(|id| id.trim() == "0");
     is_debian && is_root && find_program("apt-get").is_some()
 }
@@ -109,13 +93,7 @@ fn can_apt_get() -> bool {
 fn install() -> Result<(), Trouble> {
     say("Installing Chromium and its driver.");
     run(&mut apt_get(&["update"]))?;
-    run(&mut apt_get(&[
-        "install",
-        "--yes",
-        "--no-install-recommends",
-        "chromium",
-        "chromium-driver",
-    ]))
+    run(&mut apt_get(&["install", "--yes", "--no-install-recommends", "chromium", "chromium-driver"]))
 }
 
 fn apt_get(args: &[&str]) -> Command {

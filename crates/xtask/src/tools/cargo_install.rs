@@ -24,27 +24,16 @@ pub struct Program<'a> {
 impl Program<'_> {
     /// Installs the program if it is not there, and gives the folder that it lies in.
     pub fn ensure(&self) -> Result<PathBuf, Trouble> {
-        let Self {
-            package, version, ..
-        } = self;
-        let root = cache::folder()?
-            .join("tools")
-            .join(format!("{package}-{version}"));
+        let Self { package, version, .. } = self;
+        let root = cache::folder()?.join("tools").join(format!("{package}-{version}"));
         let bin = root.join("bin");
         if self.works_in(&bin) {
             return Ok(bin);
         }
-        say(&format!(
-            "Installing {package} {version}; built from source once, it takes a few minutes."
-        ));
-        fs::create_dir_all(&root)
-            .map_err(|e| format!("{} cannot be made: {e}.", root.display()))?;
+        say(&format!("Installing {package} {version}; built from source once, it takes a few minutes."));
+        fs::create_dir_all(&root).map_err(|e| format!("{} cannot be made: {e}.", root.display()))?;
         let mut install = Command::new("cargo");
-        install
-            .arg("install")
-            .arg(package)
-            .arg("--version")
-            .arg(version.to_string());
+        install.arg("install").arg(package).arg("--version").arg(version.to_string());
         if self.locked {
             install.arg("--locked");
         }
@@ -55,12 +44,7 @@ impl Program<'_> {
             .arg(&root)
             // Away from the workspace: neither its settings nor its target folder are meant here.
             .current_dir(&root);
-        for variable in [
-            "CARGO_TARGET_DIR",
-            "CARGO_BUILD_TARGET",
-            "CARGO_ENCODED_RUSTFLAGS",
-            "RUSTFLAGS",
-        ] {
+        for variable in ["CARGO_TARGET_DIR", "CARGO_BUILD_TARGET", "CARGO_ENCODED_RUSTFLAGS", "RUSTFLAGS"] {
             install.env_remove(variable);
         }
         run(&mut install)?;
@@ -76,7 +60,6 @@ impl Program<'_> {
 
     fn works_in(&self, bin: &std::path::Path) -> bool {
         let program = bin.join(format!("{}{}", self.binary, std::env::consts::EXE_SUFFIX));
-        output(Command::new(program).arg("--version")).and_then(|text| Version::in_text(&text))
-            == Some(self.version)
+        output(Command::new(program).arg("--version")).and_then(|text| Version::in_text(&text)) == Some(self.version)
     }
 }

@@ -19,8 +19,8 @@ const STAMP: &str = "node_modules/.installed-from.json";
 pub fn ensure(workspace: &Workspace) -> Result<(), Trouble> {
     ensure_node()?;
     let stamp = workspace.path(STAMP);
-    let lock = fs::read(workspace.path("package-lock.json"))
-        .map_err(|e| format!("package-lock.json cannot be read: {e}."))?;
+    let lock =
+        fs::read(workspace.path("package-lock.json")).map_err(|e| format!("package-lock.json cannot be read: {e}."))?;
     if fs::read(&stamp).is_ok_and(|installed| installed == lock) {
         return Ok(());
     }
@@ -49,25 +49,20 @@ fn ensure_node() -> Result<(), Trouble> {
     const WANTED: &str = "Node 20.19 or later of 20, or 22.12 or later";
     let text = output(Command::new("node").arg("--version"))
         .ok_or_else(|| format!("Node was not found. Install {WANTED}, with npm."))?;
-    let version = Version::in_text(&text)
-        .ok_or_else(|| format!("`node --version` printed no version. Install {WANTED}."))?;
+    let version =
+        Version::in_text(&text).ok_or_else(|| format!("`node --version` printed no version. Install {WANTED}."))?;
     if !is_wanted(version) {
-        return Err(format!(
-            "Node {version} was found, but the build wants {WANTED}. Install one of these."
-        ));
+        return Err(format!("Node {version} was found, but the build wants {WANTED}. Install one of these."));
     }
     if cfg!(unix) && find_program(NPM).is_none() {
-        return Err(format!(
-            "Node {version} was found, but not npm. Install npm."
-        ));
+        return Err(format!("Node {version} was found, but not npm. Install npm."));
     }
     Ok(())
 }
 
 /// What Vite 8 runs on; 21 and early 22 lack what it needs.
 fn is_wanted(version: Version) -> bool {
-    version >= Version::new(22, 12, 0)
-        || (version.major == 20 && version >= Version::new(20, 19, 0))
+    version >= Version::new(22, 12, 0) || (version.major == 20 && version >= Version::new(20, 19, 0))
 }
 
 #[cfg(test)]
@@ -77,13 +72,7 @@ mod tests {
 
     #[test]
     fn knows_the_versions_that_vite_runs_on() {
-        for wanted in [
-            (20, 19, 0),
-            (20, 20, 2),
-            (22, 12, 0),
-            (23, 0, 0),
-            (24, 1, 0),
-        ] {
+        for wanted in [(20, 19, 0), (20, 20, 2), (22, 12, 0), (23, 0, 0), (24, 1, 0)] {
             let version = Version::new(wanted.0, wanted.1, wanted.2);
             assert!(is_wanted(version), "{version}");
         }

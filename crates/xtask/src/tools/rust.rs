@@ -26,11 +26,7 @@ pub fn ensure_target(workspace: &Workspace) -> Result<(), Trouble> {
 
 /// Installs rustfmt or clippy if it is missing.
 pub fn ensure_component(workspace: &Workspace, component: &str) -> Result<(), Trouble> {
-    let subcommand = if component == "rustfmt" {
-        "fmt"
-    } else {
-        component
-    };
+    let subcommand = if component == "rustfmt" { "fmt" } else { component };
     let mut version = cargo_or_rustc(workspace, "cargo");
     version.args([subcommand, "--version"]);
     if output(&mut version).is_some() {
@@ -59,7 +55,5 @@ fn rustup(workspace: &Workspace, args: &[&str]) -> Result<(), Trouble> {
             args.join(" ")
         ));
     }
-    run(Command::new("rustup")
-        .args(args)
-        .current_dir(workspace.root()))
+    run(Command::new("rustup").args(args).current_dir(workspace.root()))
 }

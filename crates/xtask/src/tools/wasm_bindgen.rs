@@ -12,9 +12,8 @@ use crate::workspace::Workspace;
 pub fn ensure(workspace: &Workspace) -> Result<PathBuf, Trouble> {
     let lock = workspace.path("Cargo.lock");
     let text = fs::read_to_string(&lock).map_err(|e| format!("Cargo.lock cannot be read: {e}."))?;
-    let version = locked_version(&text, "wasm-bindgen").ok_or(
-        "Cargo.lock names no version of wasm-bindgen, which nctape-wasm needs. Restore Cargo.lock.",
-    )?;
+    let version = locked_version(&text, "wasm-bindgen")
+        .ok_or("Cargo.lock names no version of wasm-bindgen, which nctape-wasm needs. Restore Cargo.lock.")?;
     Program {
         package: "wasm-bindgen-cli",
         version,
@@ -54,14 +53,8 @@ version = \"0.2.131\"
 
     #[test]
     fn reads_the_version_of_just_that_package() {
-        assert_eq!(
-            locked_version(LOCK, "wasm-bindgen"),
-            Some(Version::new(0, 2, 130))
-        );
-        assert_eq!(
-            locked_version(LOCK, "wasm-bindgen-macro"),
-            Some(Version::new(0, 2, 131))
-        );
+        assert_eq!(locked_version(LOCK, "wasm-bindgen"), Some(Version::new(0, 2, 130)));
+        assert_eq!(locked_version(LOCK, "wasm-bindgen-macro"), Some(Version::new(0, 2, 131)));
         assert_eq!(locked_version(LOCK, "wasm"), None);
     }
 }

@@ -16,19 +16,11 @@ const VERSION: Version = Version::new(0, 15, 1);
 pub fn command(workspace: &Workspace) -> Result<Command, Trouble> {
     rust::ensure_target(workspace)?;
     let bindgen = wasm_bindgen::ensure(workspace)?;
-    let pack = Program {
-        package: "wasm-pack",
-        version: VERSION,
-        binary: "wasm-pack",
-        locked: true,
-    }
-    .ensure()?;
+    let pack = Program { package: "wasm-pack", version: VERSION, binary: "wasm-pack", locked: true }.ensure()?;
     // wasm-opt comes from the npm package `binaryen`; wasm-pack would download one otherwise.
     npm::ensure(workspace)?;
     let wasm_opt = workspace.path("node_modules/.bin");
     let mut command = Command::new(pack.join("wasm-pack"));
-    command
-        .current_dir(workspace.root())
-        .env("PATH", path_with(&[bindgen, pack, wasm_opt])?);
+    command.current_dir(workspace.root()).env("PATH", path_with(&[bindgen, pack, wasm_opt])?);
     Ok(command)
 }
