@@ -11,12 +11,8 @@ use nctape_draw::{Columns, Theme, tile};
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
-    let text = arguments
-        .next()
-        .ok_or("usage: strip TEXT FILE.png [PITCH]")?;
-    let path = arguments
-        .next()
-        .ok_or("usage: strip TEXT FILE.png [PITCH]")?;
+    let text = arguments.next().ok_or("usage: strip TEXT FILE.png [PITCH]")?;
+    let path = arguments.next().ok_or("usage: strip TEXT FILE.png [PITCH]")?;
     let pitch = arguments.next().map_or(Ok(32), |pitch| pitch.parse())?;
 
     let picture = tile(text.as_bytes(), &Columns::new(pitch, Theme::Light));

@@ -45,17 +45,13 @@ impl Columns {
     ///
     /// A pitch outside of [`Columns::PITCHES`] is replaced by the nearest inside; [`Columns::pitch`] tells which.
     pub fn new(pitch: u32, theme: Theme) -> Columns {
-        let layout = Layout {
-            pitch: pitch.clamp(*Columns::PITCHES.start(), *Columns::PITCHES.end()),
-        };
+        let layout = Layout { pitch: pitch.clamp(*Columns::PITCHES.start(), *Columns::PITCHES.end()) };
         Columns {
             layout,
             theme,
             blank: draw(BLANK, layout, theme),
             all_holes: draw(ALL_HOLES, layout, theme),
-            track_bits: (0..layout.height())
-                .map(|line| layout.track_bit(line))
-                .collect(),
+            track_bits: (0..layout.height()).map(|line| layout.track_bit(line)).collect(),
         }
     }
 
@@ -96,11 +92,7 @@ impl Columns {
 
     /// All 256 columns in one picture, sixteen in a line: the upper four tracks choose the line, the lower four the place in it.
     pub fn sheet(&self) -> Picture {
-        let mut sheet = Picture {
-            width: 16 * self.pitch(),
-            height: 16 * self.height(),
-            rgba: Vec::new(),
-        };
+        let mut sheet = Picture { width: 16 * self.pitch(), height: 16 * self.height(), rgba: Vec::new() };
         for upper in 0..16 {
             let rows: Vec<u8> = (0..16).map(|lower| upper << 4 | lower).collect();
             sheet.rgba.append(&mut tile(&rows, self).rgba);
@@ -110,10 +102,7 @@ impl Columns {
 
     /// Where a row's column is in the [sheet](Columns::sheet): its upper left corner, as `(x, y)` in pixels.
     pub fn position(&self, row: u8) -> (u32, u32) {
-        (
-            u32::from(row & 0x0f) * self.pitch(),
-            u32::from(row >> 4) * self.height(),
-        )
+        (u32::from(row & 0x0f) * self.pitch(), u32::from(row >> 4) * self.height())
     }
 
     /// The lines of pixels from top to bottom, each with what a column may have in it.
@@ -123,11 +112,7 @@ impl Columns {
             .iter()
             .zip(self.blank.chunks_exact(length))
             .zip(self.all_holes.chunks_exact(length))
-            .map(|((track_bit, blank), all_holes)| Line {
-                track_bit: *track_bit,
-                blank,
-                all_holes,
-            })
+            .map(|((track_bit, blank), all_holes)| Line { track_bit: *track_bit, blank, all_holes })
     }
 }
 
@@ -141,11 +126,7 @@ pub(crate) struct Line<'a> {
 impl<'a> Line<'a> {
     /// The pixels of a row's column in this line.
     pub(crate) fn pixels(&self, row: u8) -> &'a [u8] {
-        if row & self.track_bit == 0 {
-            self.blank
-        } else {
-            self.all_holes
-        }
+        if row & self.track_bit == 0 { self.blank } else { self.all_holes }
     }
 }
 
@@ -174,10 +155,7 @@ mod tests {
             // Each track alone, and each alone not punched: a hole that reached into another track's lines would show.
             for row in (0..8).flat_map(|bit| [1 << bit, !(1 << bit)]) {
                 let drawn = draw(row, columns.layout, Theme::Light);
-                assert!(
-                    tile(&[row], &columns).rgba == drawn,
-                    "row {row:#04x} at pitch {pitch}"
-                );
+                assert!(tile(&[row], &columns).rgba == drawn, "row {row:#04x} at pitch {pitch}");
             }
         }
     }

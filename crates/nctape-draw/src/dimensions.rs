@@ -37,11 +37,7 @@ pub struct Dimension {
 
 impl Dimension {
     const fn symmetric(nominal: f64, tolerance: f64) -> Dimension {
-        Dimension {
-            nominal,
-            minus: tolerance,
-            plus: tolerance,
-        }
+        Dimension { nominal, minus: tolerance, plus: tolerance }
     }
 
     /// Whether a measured length is within the tolerance.
@@ -67,11 +63,7 @@ pub const TRACK_PITCH: Dimension = Dimension::symmetric(2.54, 0.05);
 pub const CODE_HOLE: Dimension = Dimension::symmetric(1.83, 0.05);
 
 /// Diameter of a feed hole: 0.046 inch. Facit 4070; the programs `ptap2dxf` and `Punched-Tape` have the same nominal.
-pub const FEED_HOLE: Dimension = Dimension {
-    nominal: 1.17,
-    minus: 0.025,
-    plus: 0.05,
-};
+pub const FEED_HOLE: Dimension = Dimension { nominal: 1.17, minus: 0.025, plus: 0.05 };
 
 /// From the reference edge to the line of the feed holes: 0.392 inch. Facit 4070.
 ///
@@ -111,10 +103,7 @@ mod tests {
         let listed = [2.34, 4.88, 7.42, 12.50, 15.04, 17.58, 20.12, 22.66];
         for (track, millimetres) in (1..).zip(listed) {
             let centre = track_centre_mm(track).unwrap();
-            assert!(
-                (centre - millimetres).abs() < 1e-9,
-                "track {track}: {centre}"
-            );
+            assert!((centre - millimetres).abs() < 1e-9, "track {track}: {centre}");
         }
     }
 
@@ -136,10 +125,7 @@ mod tests {
             (FEED_LINE, 0.392),
         ];
         for (dimension, inch) in inches {
-            assert!(
-                (dimension.nominal - inch * 25.4).abs() < 0.005,
-                "{dimension:?}"
-            );
+            assert!((dimension.nominal - inch * 25.4).abs() < 0.005, "{dimension:?}");
         }
     }
 

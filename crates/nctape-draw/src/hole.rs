@@ -1,8 +1,7 @@
 //! A punched hole.
 
 use tiny_skia::{
-    FillRule, GradientStop, Paint, PathBuilder, PixmapMut, Point, RadialGradient, Shader,
-    SpreadMode, Transform,
+    FillRule, GradientStop, Paint, PathBuilder, PixmapMut, Point, RadialGradient, Shader, SpreadMode, Transform,
 };
 
 use crate::dimensions::{CODE_HOLE, Dimension, FEED_HOLE, FEED_LINE, TRACKS, track_centre_mm};
@@ -31,13 +30,7 @@ pub(crate) fn punch(row: u8, layout: Layout, colours: &Colours, column: &mut Pix
     }
 }
 
-fn hole(
-    from_reference_edge: f64,
-    diameter: Dimension,
-    layout: Layout,
-    colours: &Colours,
-    column: &mut PixmapMut<'_>,
-) {
+fn hole(from_reference_edge: f64, diameter: Dimension, layout: Layout, colours: &Colours, column: &mut PixmapMut<'_>) {
     let x = f64::from(layout.pitch) / 2.0;
     let y = layout.y(from_reference_edge);
     let radius = layout.pixels(diameter.nominal / 2.0);
@@ -54,10 +47,7 @@ fn hole(
         (radius - blur) as f32,
         lit,
         (radius + blur) as f32,
-        vec![
-            GradientStop::new(0.0, opaque(colours.bench)),
-            GradientStop::new(1.0, opaque(dark)),
-        ],
+        vec![GradientStop::new(0.0, opaque(colours.bench)), GradientStop::new(1.0, opaque(dark))],
         SpreadMode::Pad,
         Transform::identity(),
     );
@@ -65,18 +55,9 @@ fn hole(
 }
 
 fn disc(x: f64, y: f64, radius: f64, shader: Shader<'_>, column: &mut PixmapMut<'_>) {
-    let paint = Paint {
-        shader,
-        ..Paint::default()
-    };
+    let paint = Paint { shader, ..Paint::default() };
     if let Some(circle) = PathBuilder::from_circle(x as f32, y as f32, radius as f32) {
-        column.fill_path(
-            &circle,
-            &paint,
-            FillRule::Winding,
-            Transform::identity(),
-            None,
-        );
+        column.fill_path(&circle, &paint, FillRule::Winding, Transform::identity(), None);
     }
 }
 

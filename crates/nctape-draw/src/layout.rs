@@ -46,10 +46,7 @@ impl Layout {
         let middle = f64::from(line) + 0.5;
         let reach = self.pixels(TRACK_PITCH.nominal) / 2.0;
         (1..=TRACKS)
-            .find(|track| {
-                track_centre_mm(*track)
-                    .is_some_and(|centre| (self.y(centre) - middle).abs() < reach)
-            })
+            .find(|track| track_centre_mm(*track).is_some_and(|centre| (self.y(centre) - middle).abs() < reach))
             .map_or(0, |track| 1 << (track - 1))
     }
 }

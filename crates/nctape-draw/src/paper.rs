@@ -49,20 +49,12 @@ pub(crate) fn line_colour(layout: Layout, colours: &Colours, line: u32) -> Rgb {
 /// The bench at a distance from the tape, falling off by the cube so that the last line of pixels is bench and nothing else.
 fn shadow(colours: &Colours, distance: f64, strength: f64) -> Rgb {
     let nearness = 1.0 - (distance / SHADOW_REACH).min(1.0);
-    mix(
-        colours.bench,
-        colours.shadow,
-        strength * nearness * nearness * nearness,
-    )
+    mix(colours.bench, colours.shadow, strength * nearness * nearness * nearness)
 }
 
 /// Tape comes off a reel and keeps some of its curl: it is brightest above the middle and darkest at the reference edge.
 fn body(colours: &Colours, from_reference_edge: f64) -> Rgb {
     const BRIGHTEST: f64 = 0.62;
     let across = from_reference_edge / WIDTH.nominal - BRIGHTEST;
-    mix(
-        colours.paper,
-        colours.paper_shade,
-        across * across / (BRIGHTEST * BRIGHTEST),
-    )
+    mix(colours.paper, colours.paper_shade, across * across / (BRIGHTEST * BRIGHTEST))
 }

@@ -69,10 +69,8 @@ mod tests {
     /// Relative luminance in thousandths of the lightest, from a table for sixteen steps of sRGB
     /// (IEC 61966-2-1: ((c + 0.055) / 1.055) ^ 2.4), read between its entries.
     fn luminance(colour: Rgb) -> f64 {
-        const STEPS: [f64; 16] = [
-            0.0, 5.6, 15.9, 33.1, 57.8, 90.8, 132.9, 184.5, 246.2, 318.5, 401.9, 496.9, 603.8,
-            723.1, 855.0, 1000.0,
-        ];
+        const STEPS: [f64; 16] =
+            [0.0, 5.6, 15.9, 33.1, 57.8, 90.8, 132.9, 184.5, 246.2, 318.5, 401.9, 496.9, 603.8, 723.1, 855.0, 1000.0];
         let linear = colour.map(|channel| {
             let place = f64::from(channel) / 17.0;
             let below = place as usize;
@@ -102,10 +100,7 @@ mod tests {
         assert!(luminance(dark.paper) < luminance(light.paper));
         assert!(luminance(dark.paper) > 500.0);
         for paper in [light.paper, dark.paper] {
-            assert!(
-                paper[0] > paper[1] && paper[1] > paper[2],
-                "buff: {paper:?}"
-            );
+            assert!(paper[0] > paper[1] && paper[1] > paper[2], "buff: {paper:?}");
         }
     }
 }

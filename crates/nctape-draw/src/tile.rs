@@ -18,9 +18,5 @@ pub fn tile(rows: &[u8], columns: &Columns) -> Picture {
             rgba.extend_from_slice(line.pixels(*row));
         }
     }
-    Picture {
-        width: width as u32,
-        height: height as u32,
-        rgba,
-    }
+    Picture { width: width as u32, height: height as u32, rgba }
 }

@@ -68,16 +68,9 @@ fn measure(picture: &Picture, columns: &Columns, theme: Theme, from_reference_ed
 fn assert_hole(hole: &Hole, from_reference_edge: f64, diameter: f64) {
     assert!((hole.x - 1.27).abs() < 0.05, "x {}", hole.x);
     let measured = hole.from_reference_edge;
-    assert!(
-        (measured - from_reference_edge).abs() < 0.05,
-        "{measured} for {from_reference_edge}"
-    );
+    assert!((measured - from_reference_edge).abs() < 0.05, "{measured} for {from_reference_edge}");
     let area = PI * diameter * diameter / 4.0;
-    assert!(
-        (hole.area / area - 1.0).abs() < 0.03,
-        "{} for {area}",
-        hole.area
-    );
+    assert!((hole.area / area - 1.0).abs() < 0.03, "{} for {area}", hole.area);
 }
 
 #[test]
@@ -100,20 +93,11 @@ fn every_row_has_its_feed_hole_and_the_code_holes_of_its_bits() {
         let columns = Columns::new(PITCH, theme);
         for row in 0..=255_u8 {
             let picture = tile(&[row], &columns);
-            assert_hole(
-                &measure(&picture, &columns, theme, FEED),
-                FEED,
-                FEED_DIAMETER,
-            );
+            assert_hole(&measure(&picture, &columns, theme, FEED), FEED, FEED_DIAMETER);
             for (bit, centre) in TRACKS.into_iter().enumerate() {
                 let open = measure(&picture, &columns, theme, centre).area;
                 let punched = row >> bit & 1 == 1;
-                assert_eq!(
-                    1.0 < open,
-                    punched,
-                    "row {row:#04x}, track {}: {open} mm²",
-                    bit + 1
-                );
+                assert_eq!(1.0 < open, punched, "row {row:#04x}, track {}: {open} mm²", bit + 1);
             }
         }
     }
@@ -137,9 +121,7 @@ fn the_paper_is_an_inch_wide() {
         let columns = Columns::new(pitch, Theme::Light);
         let picture = tile(&[0x00], &columns);
         let [bench, ..] = Theme::Light.colours().bench;
-        let paper = (0..picture.height)
-            .filter(|y| bench + 40 < red(&picture, 0, *y))
-            .count();
+        let paper = (0..picture.height).filter(|y| bench + 40 < red(&picture, 0, *y)).count();
         let width = paper as f64 * 2.54 / f64::from(pitch);
         assert!((width - WIDTH).abs() < 0.08, "{width} mm at pitch {pitch}");
     }
@@ -151,25 +133,13 @@ fn columns_fit_together_without_a_seam_and_the_picture_into_the_bench() {
         for pitch in Columns::PITCHES {
             let columns = Columns::new(pitch, theme);
             // Below 8 pixels the bridge of paper between two code holes is thinner than a pixel on either side of the border.
-            let rows: &[u8] = if pitch < 8 {
-                &[0x00; 3]
-            } else {
-                &[0x00, 0xff, 0xff, 0x55, 0xaa]
-            };
+            let rows: &[u8] = if pitch < 8 { &[0x00; 3] } else { &[0x00, 0xff, 0xff, 0x55, 0xaa] };
             let picture = tile(rows, &columns);
             let pixel = |x: u32, y: u32| &picture.rgba[4 * (y * picture.width + x) as usize..][..4];
             for y in 0..picture.height {
                 for border in (pitch..picture.width).step_by(pitch as usize) {
-                    assert_eq!(
-                        pixel(border - 1, y),
-                        pixel(border, y),
-                        "pitch {pitch}, x {border}, y {y}"
-                    );
-                    assert_eq!(
-                        pixel(border, y),
-                        pixel(0, y),
-                        "pitch {pitch}, x {border}, y {y}"
-                    );
+                    assert_eq!(pixel(border - 1, y), pixel(border, y), "pitch {pitch}, x {border}, y {y}");
+                    assert_eq!(pixel(border, y), pixel(0, y), "pitch {pitch}, x {border}, y {y}");
                 }
             }
             let [red, green, blue] = theme.colours().bench;

@@ -1,0 +1,17 @@
+//! The JavaScript interface: the only crate that knows JavaScript.
+//!
+//! It converts byte offsets to UTF-16, plain values to JavaScript's, and lists to typed arrays; it decides nothing.
+//! The types that a script sees are in `types.ts`.
+
+mod argument;
+mod functions;
+mod live;
+mod offsets;
+mod report;
+mod value;
+mod vocabulary;
+
+use wasm_bindgen::prelude::wasm_bindgen;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = include_str!("types.ts");

@@ -1,0 +1,233 @@
+//! The live tape: one text that is edited, asked for what is visible.
+
+use crate::argument;
+use crate::functions::{points_to_js, set};
+use crate::offsets::Offsets;
+use crate::report::{self, BlockView, TotalsView};
+use crate::value::to_js;
+use nctape::{Severity, Tape as CoreTape};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+/// A tape that is edited. Every change has a number; offsets are UTF-16 code units.
+#[wasm_bindgen]
+pub struct Tape {
+    tape: CoreTape,
+    offsets: Offsets,
+    edit: u32,
+}
+
+#[derive(Serialize)]
+struct Summary {
+    edit: u32,
+    unit: &'static str,
+    axes: Vec<String>,
+    code: &'static str,
+    blocks: usize,
+    rows: usize,
+    spans: usize,
+    errors: usize,
+    warnings: usize,
+    infos: usize,
+    totals: TotalsView,
+    bounds: Option<Bounds>,
+}
+
+#[derive(Serialize)]
+struct Bounds {
+    min: [f64; 3],
+    max: [f64; 3],
+}
+
+#[derive(Serialize)]
+struct PlacedBlock {
+    #[serde(flatten)]
+    block: BlockView,
+    index: usize,
+    rows: (usize, usize),
+    span: Option<usize>,
+}
+
+#[wasm_bindgen]
+impl Tape {
+    /// Reads and executes a text under a format.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "string")] source: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Format")] format: &JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "{ skip?: boolean } | null")] options: &JsValue,
+    ) -> Result<Tape, JsValue> {
+        let source = argument::text(source, "source")?;
+        let (format, _) = argument::format(format)?;
+        let options = argument::options(options)?;
+        let tape = CoreTape::with_skip(&source, &format, options.skip);
+        Ok(Tape { tape, offsets: Offsets::new(&source), edit: 0 })
+    }
+
+    /// Replaces the text between two offsets; answers the number of the edit.
+    ///
+    /// Where an end lies within a surrogate pair, the half that stays becomes U+FFFD, as JavaScript shows it.
+    pub fn edit(&mut self, from: u32, to: u32, insert: &str) -> u32 {
+        let (start, splits_start) = self.offsets.boundary(from as usize);
+        let (end, splits_end) = self.offsets.boundary(to.max(from) as usize);
+        let pair = |at: usize| self.tape.text()[at..].chars().next().map_or(at, |c| at + c.len_utf8());
+        let end = if splits_end { pair(end) } else { end.max(start) };
+        let half = |splits: bool| if splits { "\u{FFFD}" } else { "" };
+        let text = format!("{}{insert}{}", half(splits_start), half(splits_end));
+        self.tape.edit(start..end, &text);
+        self.offsets = Offsets::new(self.tape.text());
+        self.next_edit()
+    }
+
+    /// Changes the format; answers the number of the edit.
+    #[wasm_bindgen(js_name = setFormat)]
+    pub fn set_format(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "Format")] format: &JsValue,
+    ) -> Result<u32, JsValue> {
+        let (format, _) = argument::format(format)?;
+        self.tape.set_format(&format);
+        Ok(self.next_edit())
+    }
+
+    /// Turns the optional block skip switch; answers the number of the edit.
+    #[wasm_bindgen(js_name = setSkip)]
+    pub fn set_skip(&mut self, on: bool) -> u32 {
+        self.tape.set_skip(on);
+        self.next_edit()
+    }
+
+    fn next_edit(&mut self) -> u32 {
+        self.edit = self.edit.wrapping_add(1);
+        self.edit
+    }
+
+    /// What the tape holds, in numbers.
+    #[wasm_bindgen(unchecked_return_type = "Summary")]
+    pub fn summary(&self) -> JsValue {
+        let spans = &self.tape.spans().list;
+        let bounds = spans.iter().map(|span| span.bounds()).reduce(|(min, max), (least, greatest)| {
+            let lower = std::array::from_fn(|axis| f64::min(min[axis], least[axis]));
+            let upper = std::array::from_fn(|axis| f64::max(max[axis], greatest[axis]));
+            (lower, upper)
+        });
+        to_js(&Summary {
+            edit: self.edit,
+            unit: self.tape.control().unit.name(),
+            axes: report::axes(&self.tape),
+            code: match self.tape.control().code {
+                nctape::code::Code::Iso => "iso",
+                nctape::code::Code::Eia => "eia",
+            },
+            blocks: self.tape.reading().blocks.len(),
+            rows: self.tape.rows().bytes.len(),
+            spans: spans.len(),
+            errors: self.tape.count(Severity::Error),
+            warnings: self.tape.count(Severity::Warning),
+            infos: self.tape.count(Severity::Info),
+            totals: report::totals(&self.tape),
+            bounds: bounds.map(|(min, max)| Bounds { min, max }),
+        })
+    }
+
+    /// The diagnostics that touch a stretch of text, at most `limit`.
+    #[wasm_bindgen(unchecked_return_type = "Diagnostic[]")]
+    pub fn diagnostics(&self, from: u32, to: u32, limit: u32) -> JsValue {
+        let (from, _) = self.offsets.byte(from as usize);
+        let (to, _) = self.offsets.byte(to as usize);
+        let found = self.tape.diagnostics().iter().filter(|found| found.range.start <= to && found.range.end >= from);
+        let views = found.map(|found| report::diagnostic(found, self.tape.standard(), &self.offsets));
+        to_js(&views.take(limit as usize).collect::<Vec<_>>())
+    }
+
+    /// A block, and where it lies in every view; `null` beyond the last one.
+    #[wasm_bindgen(unchecked_return_type = "BlockView | null")]
+    pub fn block(&self, index: u32) -> JsValue {
+        let index = index as usize;
+        let Some(block) = self.tape.reading().blocks.get(index) else { return JsValue::NULL };
+        let rows = self.tape.rows_of(block);
+        to_js(&PlacedBlock {
+            block: report::block(&self.tape, block, &self.offsets),
+            index,
+            rows: (rows.start, rows.end),
+            span: self.span_of(index),
+        })
+    }
+
+    /// The span that a block belongs to. Where it ends one and stands in for another, the one that begins last.
+    fn span_of(&self, block: usize) -> Option<usize> {
+        let spans = self.tape.spans().of_block(block);
+        (!spans.is_empty()).then(|| spans.end - 1)
+    }
+
+    /// The block at an offset; -1 where there is none.
+    #[wasm_bindgen(js_name = blockAt)]
+    pub fn block_at(&self, offset: u32) -> i32 {
+        self.tape.reading().block_at(self.offsets.byte(offset as usize).0).map_or(-1, |index| index as i32)
+    }
+
+    /// The block of a row; -1 where it belongs to none.
+    #[wasm_bindgen(js_name = blockOfRow)]
+    pub fn block_of_row(&self, row: u32) -> i32 {
+        let offset = self.tape.rows().offsets.get(row as usize);
+        offset.and_then(|&offset| self.tape.reading().block_at(offset as usize)).map_or(-1, |index| index as i32)
+    }
+
+    /// The row whose character stands at or behind an offset; -1 behind the last one.
+    #[wasm_bindgen(js_name = rowAt)]
+    pub fn row_at(&self, offset: u32) -> i32 {
+        let (byte, _) = self.offsets.byte(offset as usize);
+        let offsets = &self.tape.rows().offsets;
+        let row = offsets.partition_point(|&offset| (offset as usize) < byte);
+        if row < offsets.len() { row as i32 } else { -1 }
+    }
+
+    /// A stretch of rows, one entry in each array for each row.
+    #[wasm_bindgen(unchecked_return_type = "RowWindow")]
+    pub fn rows(&self, first: u32, count: u32) -> JsValue {
+        let rows = self.tape.rows();
+        let from = (first as usize).min(rows.bytes.len());
+        let to = from.saturating_add(count as usize).min(rows.bytes.len());
+        let offsets: Vec<u32> =
+            rows.offsets[from..to].iter().map(|&byte| self.offsets.utf16(byte as usize) as u32).collect();
+        let blocks: Vec<i32> = (from..to).map(|row| self.block_of_row(row as u32)).collect();
+        let kinds: Vec<u8> = blocks
+            .iter()
+            .map(|&block| {
+                let span = usize::try_from(block).ok().and_then(|block| self.span_of(block));
+                span.map_or(0, |span| self.tape.spans().list[span].kind.index() as u8 + 1)
+            })
+            .collect();
+        let object = js_sys::Object::new();
+        set(&object, "first", &(from as u32).into());
+        set(&object, "bytes", &js_sys::Uint8Array::from(&rows.bytes[from..to]));
+        set(&object, "offsets", &js_sys::Uint32Array::from(offsets.as_slice()));
+        set(&object, "blocks", &js_sys::Int32Array::from(blocks.as_slice()));
+        set(&object, "kinds", &js_sys::Uint8Array::from(kinds.as_slice()));
+        object.into()
+    }
+
+    /// A span; `null` beyond the last one.
+    #[wasm_bindgen(unchecked_return_type = "Span | null")]
+    pub fn span(&self, index: u32) -> JsValue {
+        let index = index as usize;
+        if index < self.tape.spans().list.len() { to_js(&report::span(&self.tape, index)) } else { JsValue::NULL }
+    }
+
+    /// The flattened path with what drawing needs; the tolerance is a length above zero in the unit of the format.
+    #[wasm_bindgen(unchecked_return_type = "Path")]
+    pub fn path(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "number")] tolerance: &JsValue,
+    ) -> Result<JsValue, JsValue> {
+        let spans = &self.tape.spans().list;
+        let object = points_to_js(&self.tape.points(argument::tolerance(tolerance)?));
+        let kinds: Vec<u8> = spans.iter().map(|span| span.kind.index() as u8 + 1).collect();
+        let substitutes: Vec<u8> = spans.iter().map(|span| u8::from(span.substitute)).collect();
+        let blocks: Vec<u32> = spans.iter().flat_map(|span| [span.blocks.0 as u32, span.blocks.1 as u32]).collect();
+        set(&object, "kinds", &js_sys::Uint8Array::from(kinds.as_slice()));
+        set(&object, "substitutes", &js_sys::Uint8Array::from(substitutes.as_slice()));
+        set(&object, "blocks", &js_sys::Uint32Array::from(blocks.as_slice()));
+        Ok(object.into())
+    }
+}

@@ -1,0 +1,115 @@
+//! Offsets: bytes inside, UTF-16 code units outside; lines and columns.
+
+/// Where bytes and UTF-16 code units of a text part, and where its lines begin.
+///
+/// A text of ASCII alone needs no table: its offsets are the same in both.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Offsets {
+    /// The characters beyond ASCII.
+    wide: Vec<Wide>,
+    /// The code unit at which each line begins.
+    lines: Vec<usize>,
+    length: usize,
+}
+
+/// A character beyond ASCII: where it stands in bytes and in code units.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Wide {
+    byte: usize,
+    byte_end: usize,
+    unit: usize,
+    unit_end: usize,
+}
+
+impl Offsets {
+    pub(crate) fn new(text: &str) -> Offsets {
+        let mut offsets = Offsets { lines: vec![0], length: text.len(), ..Offsets::default() };
+        let mut unit = 0;
+        let mut after_return = false;
+        for (byte, character) in text.char_indices() {
+            let unit_end = unit + character.len_utf16();
+            if !character.is_ascii() {
+                offsets.wide.push(Wide { byte, byte_end: byte + character.len_utf8(), unit, unit_end });
+            }
+            match (character, offsets.lines.last_mut()) {
+                ('\n', Some(line)) if after_return => *line = unit_end,
+                ('\n' | '\r', _) => offsets.lines.push(unit_end),
+                _ => {}
+            }
+            after_return = character == '\r';
+            unit = unit_end;
+        }
+        offsets
+    }
+
+    /// The code unit at a byte that is on a character boundary.
+    pub(crate) fn utf16(&self, byte: usize) -> usize {
+        match self.wide.partition_point(|wide| wide.byte_end <= byte).checked_sub(1) {
+            Some(index) => byte - self.wide[index].byte_end + self.wide[index].unit_end,
+            None => byte,
+        }
+    }
+
+    /// The character boundary at or before a code unit, in bytes, and whether the unit is the second half of a
+    /// surrogate pair. Beyond the end it is the end.
+    pub(crate) fn byte(&self, unit: usize) -> (usize, bool) {
+        let behind = self.wide.partition_point(|wide| wide.unit_end <= unit);
+        match self.wide.get(behind) {
+            Some(wide) if wide.unit < unit => (wide.byte, true),
+            _ => match behind.checked_sub(1) {
+                Some(index) => (unit - self.wide[index].unit_end + self.wide[index].byte_end, false),
+                None => (unit, false),
+            },
+        }
+    }
+
+    /// The same, for a boundary of what is to be replaced: the end of the text at most.
+    pub(crate) fn boundary(&self, unit: usize) -> (usize, bool) {
+        let (byte, half) = self.byte(unit);
+        (byte.min(self.length), half)
+    }
+
+    /// Line and column of a code unit, from 1.
+    pub(crate) fn line_column(&self, unit: usize) -> (usize, usize) {
+        let line = self.lines.partition_point(|&start| start <= unit);
+        (line, unit - self.lines[line - 1] + 1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Offsets;
+
+    const TEXT: &str = "a\u{00E9}b\r\n\u{2212}\u{1F600}c\rd\ne";
+
+    #[test]
+    fn offsets_agree_with_the_text_encoded_in_utf_16() {
+        let offsets = Offsets::new(TEXT);
+        for (byte, _) in TEXT.char_indices().chain([(TEXT.len(), ' ')]) {
+            let unit = TEXT[..byte].encode_utf16().count();
+            assert_eq!(offsets.utf16(byte), unit);
+            assert_eq!(offsets.byte(unit), (byte, false));
+        }
+    }
+
+    #[test]
+    fn the_second_half_of_a_pair_is_told() {
+        let pair = TEXT.find('\u{1F600}').unwrap_or(0);
+        let unit = TEXT[..pair].encode_utf16().count();
+        assert_eq!(Offsets::new(TEXT).byte(unit + 1), (pair, true));
+    }
+
+    #[test]
+    fn every_kind_of_line_end_begins_one_line() {
+        let offsets = Offsets::new(TEXT);
+        let at = |character: char| {
+            let byte = TEXT.find(character).unwrap_or(0);
+            offsets.line_column(offsets.utf16(byte))
+        };
+        assert_eq!(at('a'), (1, 1));
+        assert_eq!(at('b'), (1, 3));
+        assert_eq!(at('c'), (2, 4));
+        assert_eq!(at('d'), (3, 1));
+        assert_eq!(at('e'), (4, 1));
+    }
+}

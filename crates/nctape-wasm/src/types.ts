@@ -1,0 +1,257 @@
+export type Standard = "iso2539" | "iso1058" | "rs274";
+
+/** The format specification of a control: what the tape is read against. */
+export interface Format {
+  standard: Standard;
+  /** Annex C, "CSM 432"; EIA: "c23.313.22". */
+  classification?: string;
+  /** Annex D, "N3.G2.X+42.Y+32.Z+32.B1.F4.S3.T2.M2*"; EIA: "n3 g2 x+14 y+14 f21 m2*". */
+  detail: string;
+  /** What the standard leaves to the builder; every field has a default. */
+  itemized?: Itemized;
+}
+
+export interface Itemized {
+  code?: "iso" | "eia";
+  dimensions?: "absolute" | "incremental";
+  setPoint?: number[] | Record<string, number>;
+  plane?: "xy" | "zx" | "yz";
+  arcParameters?: "centre" | "angle-radius";
+  arcCentre?: "as-dimensions" | "from-start" | "to-start" | "absolute" | "quadrant";
+  parabolaParameters?: "tangent" | "slope" | "focus";
+  helix?: boolean;
+  fullCircle?: boolean;
+  curves?: Record<string, "cubic">;
+  feed?: "time-reciprocal" | "arithmetic" | "geometric" | "symbolic" | "direct";
+  spindle?: "arithmetic" | "geometric" | "symbolic" | "direct";
+  feedUnit?: "per-minute" | "per-revolution";
+  arcFeed?: "radians" | "time";
+  timeScale?: 1 | 10;
+  symbolicFeeds?: Record<string, number>;
+  symbolicSpeeds?: Record<string, number>;
+  decimalShift?: number;
+  rapid?: number;
+  maximumFeed?: number;
+  travel?: Record<string, [number, number]>;
+  dwell?: { address: string; unit: "seconds" | "revolutions" };
+  compensation?: boolean;
+  cutterRadius?: number;
+  compensationDigits?: number;
+  programNumberDigits?: number;
+  endOfBlock?: "lf" | "cr";
+  declared?: { G?: Record<string, string>; M?: Record<string, string>; letters?: Record<string, string> };
+  readerSpeed?: number;
+  buffered?: boolean;
+}
+
+export interface CheckOptions {
+  /** The optional block skip switch: off. */
+  skip?: boolean;
+  /** Return the blocks: true. */
+  blocks?: boolean;
+  /** Return the spans: true. */
+  spans?: boolean;
+  /** Diagnostics returned: 1000. */
+  limit?: number;
+}
+
+export type Severity = "error" | "warning" | "info";
+
+export interface Edit { from: number; to: number; insert: string }
+export interface Related { from: number; to: number; message: string }
+export interface Fix { title: string; edits?: Edit[]; format?: Format }
+
+/** Offsets are UTF-16 code units into the string as given; line and column count from 1. */
+export interface Diagnostic {
+  rule: string;
+  name: string;
+  severity: Severity;
+  from: number;
+  to: number;
+  line: number;
+  column: number;
+  /** How often, where it is said once. */
+  count: number;
+  message: string;
+  clauses: string[];
+  related?: Related[];
+  fixes?: Fix[];
+}
+
+export interface WordInfo { address: string; from: number; to: number; value: number | null }
+export interface Block { from: number; to: number; sequence: string | null; words: WordInfo[] }
+
+export type Plane = "xy" | "zx" | "yz";
+export interface Span {
+  kind: "rapid" | "line" | "arc" | "parabola" | "curve" | "dwell";
+  /** First and last block. */
+  blocks: [number, number];
+  start: number[];
+  end: number[];
+  plane?: Plane;
+  centre?: number[];
+  /** Radians, counter-clockwise positive, seen from the positive third axis of the plane. */
+  sweep?: number;
+  /** Parabola: the tangent intersection point. */
+  tangent?: number[];
+  /** Curve: the control points. */
+  control?: number[][];
+  length: number;
+  /** Unit per minute along the path. */
+  feed: number | null;
+  seconds: number | null;
+  /** A stand-in for what could not be computed. */
+  substitute?: true;
+}
+
+export interface Totals {
+  rows: number;
+  tapeMillimetres: number;
+  cutting: number;
+  rapid: number;
+  /** Without reader time; null if a moving span has no known time. */
+  seconds: number | null;
+}
+
+export interface Report {
+  api: 1;
+  unit: "mm" | "inch";
+  /** "X", "Y", "Z" first, then the format's other dimension axes. */
+  axes: string[];
+  diagnostics: Diagnostic[];
+  /** Diagnostics beyond the limit. */
+  suppressed: number;
+  blocks: Block[];
+  spans: Span[];
+  totals: Totals;
+}
+
+export interface ClassificationInfo {
+  text: string;
+  /** "A", "T" or "S"; null where the shorthand does not say. */
+  system: string | null;
+  unit: "mm" | "inch" | null;
+  angles: "turns" | "degrees" | null;
+  motions: number | null;
+  dimensionMotions: number | null;
+  simultaneousMotions: number | null;
+}
+export interface DetailWord {
+  address: string;
+  from: number;
+  to: number;
+  tab: boolean;
+  dimension: boolean;
+  /** "absolute-positive", "absolute", "incremental", "both"; null for a word that is no dimension. */
+  sign: string | null;
+  before: number;
+  after: number;
+  zeros: "all" | "leading-omitted" | "trailing-omitted";
+}
+export interface FormatExplanation {
+  classification: ClassificationInfo | null;
+  detail: { words: DetailWord[]; endsWithAsterisk: boolean } | null;
+  sentences: string[];
+  /** `path`: "classification", "detail", "itemized.feed" …; offsets into that field's string. */
+  diagnostics: (Diagnostic & { path: string })[];
+}
+
+export interface Rule {
+  rule: string;
+  aliases: string[];
+  name: string;
+  family: string;
+  title: string;
+  severity: Record<Standard, Severity | null>;
+  clauses: string[];
+  /** The page in Markdown: what it means, why a control objects, a bad and a good tape. */
+  page: string;
+}
+export interface Preset {
+  id: string;
+  title: string;
+  about: string;
+  kind: "tape" | "cldata";
+  format: Format;
+  source: string;
+  /** Where the cursor stands when the preset opens. */
+  cursor: number;
+}
+
+/** How one field of a format is edited: all that the page knows about it. */
+export interface FormatField {
+  /** "classification", "itemized.feed" … */
+  path: string;
+  label: string;
+  help: string;
+  /**
+   * text; choice (of `choices`); flag (true or false); number; position ([10, 10, 20]);
+   * numbers ({"1": 120}); texts ({"G05": "hold"}); ranges ({"X": [0, 85]}); json (anything else).
+   */
+  kind: "text" | "choice" | "flag" | "number" | "position" | "numbers" | "texts" | "ranges" | "json";
+  choices: { value: string; title: string }[];
+  /** What holds while the field is not stated, as words for the user. */
+  default: string;
+  group: string;
+}
+
+/** One of the 256 rows of a code. */
+export interface RowMeaning {
+  /** One or a few characters to set under the row: "X", "EOB"; empty for a row without meaning. */
+  label: string;
+  name: string;
+  /** Tracks with a hole, 1 to 8. */
+  tracks: number[];
+  /** The row has the right parity for the code. */
+  parity: boolean;
+}
+
+/** What a live tape holds, in numbers; `edit` is the number of the edit that it answers. */
+export interface Summary {
+  edit: number;
+  unit: "mm" | "inch";
+  axes: string[];
+  code: "iso" | "eia";
+  blocks: number;
+  rows: number;
+  spans: number;
+  errors: number;
+  warnings: number;
+  infos: number;
+  totals: Totals;
+  /** Smallest box around all spans, X Y Z; null without spans. */
+  bounds: { min: [number, number, number]; max: [number, number, number] } | null;
+}
+
+/** One block of a live tape, and where it lies in every view. */
+export interface BlockView extends Block {
+  index: number;
+  /** Rows of the tape, [first, last + 1]. */
+  rows: [number, number];
+  /** The span that the block belongs to; null if it moves nothing. */
+  span: number | null;
+}
+
+/** A stretch of rows. One entry in each array for each row. */
+export interface RowWindow {
+  first: number;
+  /** The holes: track n is bit n-1. */
+  bytes: Uint8Array;
+  /** UTF-16 offset of the character that the row stands for. */
+  offsets: Uint32Array;
+  /** Block of the row, -1 for what belongs to no block. */
+  blocks: Int32Array;
+  /** Kind of the block's span: 0 none, else an index into `spanKinds()` plus 1. */
+  kinds: Uint8Array;
+}
+
+/** The flattened path. Every span gives its start, then its points; a point's span is in `span`. */
+export interface Points { xyz: Float64Array; span: Uint32Array }
+
+/** The path of a live tape with what drawing needs: one entry of `kind`, `substitute` and `block` for each span. */
+export interface Path extends Points {
+  kinds: Uint8Array;
+  substitutes: Uint8Array;
+  /** First and last block of each span, two entries a span. */
+  blocks: Uint32Array;
+}

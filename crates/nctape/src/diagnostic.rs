@@ -1,0 +1,185 @@
+//! What the check says: a located sentence under a rule, with related places and fixes.
+
+use crate::format::{Format, Standard};
+use crate::rules::Rule;
+use std::ops::Range;
+
+/// How much a diagnostic weighs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Severity {
+    /// Worth knowing; nothing is wrong.
+    Info,
+    /// A control may do something else than was meant.
+    Warning,
+    /// The standard forbids it.
+    Error,
+}
+
+impl Severity {
+    /// "error", "warning" or "info".
+    pub fn name(self) -> &'static str {
+        match self {
+            Severity::Info => "info",
+            Severity::Warning => "warning",
+            Severity::Error => "error",
+        }
+    }
+}
+
+/// One finding. Offsets are bytes of the text that was checked.
+#[derive(Clone, Debug)]
+pub struct Diagnostic {
+    /// The rule that it falls under.
+    pub rule: &'static Rule,
+    /// The rule's id under the standard in force.
+    pub id: &'static str,
+    /// Error, warning or info.
+    pub severity: Severity,
+    /// Where it is.
+    pub range: Range<usize>,
+    /// How often it was found, where it is said once.
+    pub count: usize,
+    /// What was found, what is allowed, what to do.
+    pub message: String,
+    /// Other places that belong to it.
+    pub related: Vec<Related>,
+    /// Ways to mend it.
+    pub fixes: Vec<Fix>,
+}
+
+/// Another place that a diagnostic speaks of.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Related {
+    /// Where.
+    pub range: Range<usize>,
+    /// What is there.
+    pub message: String,
+}
+
+/// A way to mend what a diagnostic found: edits of the text, or another format.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fix {
+    /// What it does, as the words on a button.
+    pub title: String,
+    /// Edits of the text, in order and apart; empty where the format is to change.
+    pub edits: Vec<Edit>,
+    /// The format to check against instead.
+    pub format: Option<Box<Format>>,
+}
+
+/// Replaces a range of the text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Edit {
+    /// What goes.
+    pub range: Range<usize>,
+    /// What comes in its place.
+    pub insert: String,
+}
+
+impl Fix {
+    /// A fix that replaces one range.
+    pub fn replace(title: impl Into<String>, range: Range<usize>, insert: impl Into<String>) -> Fix {
+        Fix { title: title.into(), edits: vec![Edit { range, insert: insert.into() }], format: None }
+    }
+
+    /// A fix that changes the format.
+    pub fn reformat(title: impl Into<String>, format: Format) -> Fix {
+        Fix { title: title.into(), edits: Vec::new(), format: Some(Box::new(format)) }
+    }
+}
+
+impl Diagnostic {
+    /// Moves every place that it names by `by` bytes: what was said of a block becomes what is said of the tape.
+    pub(crate) fn shift(&mut self, by: usize) {
+        let shift = |range: &mut Range<usize>| *range = range.start + by..range.end + by;
+        shift(&mut self.range);
+        self.related.iter_mut().for_each(|related| shift(&mut related.range));
+        for fix in &mut self.fixes {
+            fix.edits.iter_mut().for_each(|edit| shift(&mut edit.range));
+        }
+    }
+
+    /// The clauses that it rests on, under the standard in force.
+    pub fn clauses(&self, standard: Standard) -> Vec<String> {
+        self.rule.clauses.iter().filter_map(|clause| clause.under(standard)).collect()
+    }
+}
+
+/// Takes the findings of the rules and gives each the verdict of the standard in force.
+pub(crate) struct Sink<'a> {
+    standard: Standard,
+    out: &'a mut Vec<Diagnostic>,
+}
+
+impl<'a> Sink<'a> {
+    pub(crate) fn new(standard: Standard, out: &'a mut Vec<Diagnostic>) -> Self {
+        Sink { standard, out }
+    }
+
+    /// Reports a finding, unless the standard in force has no verdict on it.
+    pub(crate) fn report(&mut self, rule: &'static Rule, range: Range<usize>, message: String) -> Reported<'_> {
+        match rule.verdicts.under(self.standard) {
+            Some(verdict) => self.push(rule, verdict.id, verdict.severity, range, message),
+            None => Reported(None),
+        }
+    }
+
+    /// Reports a finding whose weight depends on more than the standard.
+    pub(crate) fn report_as(
+        &mut self,
+        severity: Severity,
+        rule: &'static Rule,
+        range: Range<usize>,
+        message: String,
+    ) -> Reported<'_> {
+        match rule.verdicts.under(self.standard) {
+            Some(verdict) => self.push(rule, verdict.id, severity, range, message),
+            None => Reported(None),
+        }
+    }
+
+    fn push(
+        &mut self,
+        rule: &'static Rule,
+        id: &'static str,
+        severity: Severity,
+        range: Range<usize>,
+        message: String,
+    ) -> Reported<'_> {
+        self.out.push(Diagnostic {
+            rule,
+            id,
+            severity,
+            range,
+            count: 1,
+            message,
+            related: Vec::new(),
+            fixes: Vec::new(),
+        });
+        Reported(self.out.last_mut())
+    }
+}
+
+/// A finding just reported, to which places and fixes can be added; nothing where the standard has no verdict.
+pub(crate) struct Reported<'a>(Option<&'a mut Diagnostic>);
+
+impl Reported<'_> {
+    pub(crate) fn count(self, count: usize) -> Self {
+        self.with(|d| d.count = count)
+    }
+
+    pub(crate) fn related(self, range: Range<usize>, message: impl Into<String>) -> Self {
+        self.with(|d| d.related.push(Related { range, message: message.into() }))
+    }
+
+    pub(crate) fn fix(self, fix: impl FnOnce() -> Fix) -> Self {
+        self.with(|d| d.fixes.push(fix()))
+    }
+
+    fn with(mut self, change: impl FnOnce(&mut Diagnostic)) -> Self {
+        if let Some(diagnostic) = self.0.as_deref_mut() {
+            change(diagnostic);
+        }
+        self
+    }
+}

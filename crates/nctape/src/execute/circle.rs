@@ -1,0 +1,158 @@
+//! Arcs: from what a block says to a centre and a sweep (4.2.2, figure 2).
+
+use crate::format::{ArcCentre, Plane};
+use crate::span::Arc;
+use std::f64::consts::TAU;
+
+/// Why an arc cannot be computed from its parameters.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum ArcFault {
+    /// Both parameters of the plane are zero.
+    ZeroRadius,
+    /// The end is not on the circle.
+    RadiusMismatch { start: f64, end: f64, tolerance: f64, fits: Option<ArcCentre> },
+}
+
+/// The largest difference between the radii at start and end that the rounding of the tape explains.
+///
+/// Start, end and centre may each be off by one least input increment in both axes: the worst case is 2√2 of them,
+/// which is also what LinuxCNC reasons.
+pub(crate) fn tolerance(increment: f64) -> f64 {
+    2.0 * std::f64::consts::SQRT_2 * increment
+}
+
+/// What is known of an arc before its parameters are read. Points are first and second axis of the plane.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ArcBlock {
+    pub plane: Plane,
+    pub start: [f64; 2],
+    pub end: [f64; 2],
+    pub clockwise: bool,
+    /// Distance that the radii may differ by.
+    pub tolerance: f64,
+}
+
+impl ArcBlock {
+    /// The arc about a centre; a fault where the end is not on its circle.
+    pub(crate) fn about(&self, centre: [f64; 2]) -> Result<Arc, ArcFault> {
+        let from = [self.start[0] - centre[0], self.start[1] - centre[1]];
+        let to = [self.end[0] - centre[0], self.end[1] - centre[1]];
+        let (start, end) = (length(from), length(to));
+        if start == 0.0 {
+            return Err(ArcFault::ZeroRadius);
+        }
+        if (start - end).abs() > self.tolerance {
+            return Err(ArcFault::RadiusMismatch { start, end, tolerance: self.tolerance, fits: None });
+        }
+        let dot = from[0] * to[0] + from[1] * to[1];
+        let cross = from[0] * to[1] - from[1] * to[0];
+        let turn = libm::atan2(cross, dot);
+        // End equal to start is a full circle; anything else within half a turn of atan2 is brought to the sense.
+        let sweep = match (self.clockwise, self.start == self.end) {
+            (true, true) => -TAU,
+            (false, true) => TAU,
+            (true, false) if turn >= 0.0 => turn - TAU,
+            (false, false) if turn <= 0.0 => turn + TAU,
+            _ => turn,
+        };
+        Ok(Arc {
+            plane: self.plane,
+            centre,
+            start_radius: start,
+            end_radius: end,
+            start_angle: libm::atan2(from[1], from[0]),
+            sweep,
+        })
+    }
+
+    /// The arc through an intermediate point: `None` where the three points coincide or lie on a line.
+    pub(crate) fn through(&self, middle: [f64; 2]) -> Option<Arc> {
+        let a = [middle[0] - self.start[0], middle[1] - self.start[1]];
+        let b = [self.end[0] - self.start[0], self.end[1] - self.start[1]];
+        let cross = a[0] * b[1] - a[1] * b[0];
+        let (aa, bb) = (a[0] * a[0] + a[1] * a[1], b[0] * b[0] + b[1] * b[1]);
+        // The middle point's height over the chord is |cross| / |b|: below the rounding of the tape it is on the
+        // chord, and the circle would be as good as arbitrary.
+        if aa == 0.0 || bb == 0.0 || cross.abs() <= self.tolerance * bb.sqrt() {
+            return None;
+        }
+        let offset = [(b[1] * aa - a[1] * bb) / (2.0 * cross), (a[0] * bb - b[0] * aa) / (2.0 * cross)];
+        let centre = [self.start[0] + offset[0], self.start[1] + offset[1]];
+        let from = [-offset[0], -offset[1]];
+        let to = [self.end[0] - centre[0], self.end[1] - centre[1]];
+        let turn = libm::atan2(from[0] * to[1] - from[1] * to[0], from[0] * to[0] + from[1] * to[1]);
+        // The three points run counter-clockwise where the middle one lies right of the chord: cross > 0.
+        let sweep = match cross > 0.0 {
+            true if turn <= 0.0 => turn + TAU,
+            false if turn >= 0.0 => turn - TAU,
+            _ => turn,
+        };
+        Some(Arc {
+            plane: self.plane,
+            centre,
+            start_radius: length(from),
+            end_radius: length(to),
+            start_angle: libm::atan2(from[1], from[0]),
+            sweep,
+        })
+    }
+}
+
+impl Arc {
+    /// The length along the arc, in the plane. With two radii, the mean one.
+    pub(crate) fn length_in_plane(&self) -> f64 {
+        (self.start_radius + self.end_radius) / 2.0 * self.sweep.abs()
+    }
+}
+
+/// The length of a vector in a plane. `hypot` of libm, so that native and wasm agree.
+pub(crate) fn length(vector: [f64; 2]) -> f64 {
+    libm::hypot(vector[0], vector[1])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::f64::consts::PI;
+
+    fn block(start: [f64; 2], end: [f64; 2], clockwise: bool) -> ArcBlock {
+        ArcBlock { plane: Plane::Xy, start, end, clockwise, tolerance: 1e-3 }
+    }
+
+    #[test]
+    fn the_four_quarters_and_their_complements() {
+        // By hand: unit circle about the origin from (1, 0).
+        for (end, clockwise, sweep) in [
+            ([0.0, 1.0], false, PI / 2.0),
+            ([0.0, 1.0], true, -1.5 * PI),
+            ([-1.0, 0.0], false, PI),
+            ([-1.0, 0.0], true, -PI),
+            ([0.0, -1.0], true, -PI / 2.0),
+            ([1.0, 0.0], true, -2.0 * PI),
+        ] {
+            let arc = block([1.0, 0.0], end, clockwise).about([0.0, 0.0]).expect("on the circle");
+            assert!((arc.sweep - sweep).abs() < 1e-15, "{end:?} {clockwise} {}", arc.sweep);
+        }
+    }
+
+    #[test]
+    fn a_three_point_arc_runs_through_its_middle_point() {
+        // By hand: (0, 0), (1, 1), (2, 0) lie on the circle about (1, 0), clockwise.
+        let arc = block([0.0, 0.0], [2.0, 0.0], true).through([1.0, 1.0]).expect("a circle");
+        assert_eq!(arc.centre, [1.0, 0.0]);
+        assert!((arc.sweep + PI).abs() < 1e-15);
+        // The other way round the far side: (0, 0), (1, -1), (2, 0) is counter-clockwise.
+        let arc = block([0.0, 0.0], [2.0, 0.0], true).through([1.0, -1.0]).expect("a circle");
+        assert!((arc.sweep - PI).abs() < 1e-15);
+        // Three quarters: (1, 0), (-1, 0), (0, -1) about the origin, counter-clockwise.
+        let arc = block([1.0, 0.0], [0.0, -1.0], true).through([-1.0, 0.0]).expect("a circle");
+        assert!((arc.sweep - 1.5 * PI).abs() < 1e-12);
+    }
+
+    #[test]
+    fn points_on_a_line_or_together_make_no_circle() {
+        assert_eq!(block([0.0, 0.0], [2.0, 2.0], true).through([1.0, 1.0]), None);
+        assert_eq!(block([0.0, 0.0], [0.0, 0.0], true).through([1.0, 1.0]), None);
+        assert_eq!(block([0.0, 0.0], [2.0, 0.0], true).through([0.0, 0.0]), None);
+    }
+}

@@ -1,0 +1,57 @@
+//! What executing noted: facts with their figures, no words.
+
+use super::circle::ArcFault;
+
+/// Something that executing could not do as written, or that is worth knowing.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Event {
+    /// The block where it stands.
+    pub block: usize,
+    pub kind: EventKind,
+}
+
+/// What was noted.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum EventKind {
+    /// Motion before any interpolation code.
+    NoInterpolation,
+    /// Cutting motion with no feed, or feed zero.
+    NoFeed,
+    /// Time-reciprocal coding: cutting motion without an F of its own.
+    NoOwnFeed,
+    /// Time-reciprocal coding: an arc, while it is not stated how its feed is read.
+    ArcFeedNotStated { by_radians: f64, by_time: f64 },
+    /// More axes move than the control moves at once.
+    TooManyAxes { moving: String, allowed: u8, positioning: bool },
+    /// The third axis moves in an arc block, or has a parameter there.
+    OutOfPlane { word: usize },
+    /// An arc that cannot be computed.
+    Arc(ArcFault),
+    /// An arc that ends where it starts, while it is not stated what that means.
+    FullCircle,
+    /// A span of several blocks lacks its last ones.
+    Unfinished { parabola: bool },
+    /// Three points of an arc coincide or lie on a line.
+    OnALine,
+    /// A three-point arc runs the other way than its G code says.
+    OtherWay { clockwise: bool },
+    /// The tangent intersection point, or the intermediate point, lies on the chord.
+    Degenerate { intermediate: bool },
+    /// Interpolation parameters where none are used.
+    IdleParameter { word: usize, code: u8 },
+    /// A motion block whose dimension words move nothing.
+    NoMotion,
+    /// A position beyond what can be counted.
+    Overflow { word: usize },
+    /// A preparatory function whose effect is not computed.
+    NotCarriedOut(Limit),
+}
+
+/// What is read but not computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Limit {
+    /// A preparatory function.
+    Function(u8),
+    /// A reading of I, J and K that the format states.
+    Parameters(&'static str),
+}

@@ -1,0 +1,102 @@
+//! From blocks to spans: modal state, positions, interpolation, feeds (clause 4, annex A).
+//!
+//! Executing has no messages. What it could not do as written it notes as an [`Event`], which the rules turn into
+//! diagnostics, and draws a substitute.
+
+mod circle;
+mod event;
+mod feed;
+mod motion;
+pub(crate) mod parabola;
+mod state;
+mod totals;
+
+pub(crate) use circle::ArcFault;
+pub(crate) use event::{Event, EventKind, Limit};
+pub use totals::Totals;
+
+use crate::format::Control;
+use crate::function::Group;
+use crate::read::{Block, Reading, Word};
+use crate::span::Spans;
+use state::State;
+
+/// What executing a tape gave.
+#[derive(Clone, Debug, Default)]
+pub struct Execution {
+    /// The spans, in order.
+    pub spans: Spans,
+    /// Lengths and times.
+    pub totals: Totals,
+    /// What could not be done as written.
+    pub(crate) events: Vec<Event>,
+    /// Blocks that no one executes, because an end of program stands before them.
+    pub(crate) unreached: Vec<usize>,
+    /// For each program that was executed, its last block and whether it is an end of program.
+    pub(crate) ends: Vec<(usize, bool)>,
+}
+
+/// Executes what was read. `skip` is the position of the optional block skip switch.
+pub(crate) fn execute(reading: &Reading, control: &Control, skip: bool) -> Execution {
+    let mut state = State::new(control);
+    let mut unreached = Vec::new();
+    let mut ends = Vec::new();
+    let mut program = None;
+    let mut ended = false;
+    for (index, block) in reading.blocks.iter().enumerate() {
+        if program != Some(block.program) {
+            if let Some(last) = index.checked_sub(1) {
+                state.finish_span();
+                ends.push((last, ended));
+                state.restart();
+            }
+            program = Some(block.program);
+            ended = false;
+        }
+        if ended {
+            unreached.push(index);
+        } else if !(skip && block.skip) {
+            ended = run_block(&mut state, index, block, reading.words(block));
+        }
+    }
+    state.finish_span();
+    if let Some(last) = reading.blocks.len().checked_sub(1) {
+        ends.push((last, ended));
+    }
+    let (spans, events) = state.results();
+    Execution { totals: Totals::of(&spans), spans, events, unreached, ends }
+}
+
+/// Executes one block; tells whether it ends the program.
+fn run_block(state: &mut State<'_>, index: usize, block: &Block, words: &[Word]) -> bool {
+    let mut ended = false;
+    state.begin_block(index, block);
+    for word in words {
+        if let Some(code) = word.function(b'G') {
+            state.take_preparatory(code);
+        }
+    }
+    for (place, word) in words.iter().enumerate() {
+        match word.address {
+            b'F' => state.take_feed(word),
+            b'S' => state.take_speed(word),
+            b'M' => ended |= matches!(word.value, Some(2 | 30)),
+            _ => state.take_dimension(place, word),
+        }
+    }
+    state.move_tool();
+    ended
+}
+
+/// Functions that are read and kept, but whose effect on the path is not computed.
+pub(crate) fn is_carried_out(group: Group, code: u8) -> bool {
+    match group {
+        Group::Motion => !matches!(code, 33..=35),
+        Group::Plane | Group::Dimensions | Group::Positioning | Group::Feed | Group::Spindle => true,
+        Group::Compensation => code == 40,
+        Group::Shift => code == 53,
+        Group::Cycle => code == 80,
+        Group::Offset => false,
+        Group::Once => matches!(code, 8 | 9),
+    }
+}

@@ -1,0 +1,213 @@
+//! What the control holds from block to block: modal functions, position, feed.
+
+use super::event::{Event, EventKind, Limit};
+use super::feed::{self, Feed};
+use super::is_carried_out;
+use crate::format::{Control, Dimensions, FeedCoding, FeedUnit, Plane, Sign, Standard, power_of_ten};
+use crate::function::{Group, Preparatory, preparatory};
+use crate::read::{Block, Word};
+use crate::span::Spans;
+
+/// How the tool moves: the functions of group a.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Motion {
+    /// G00.
+    Rapid,
+    /// G01, and G33 to G35, whose path is the same line.
+    Line { thread: bool },
+    /// G02 and G03.
+    Circle { clockwise: bool },
+    /// G06.
+    Parabola,
+}
+
+/// A point of a span whose last block is still to come.
+#[derive(Clone, Debug)]
+pub(crate) struct Pending {
+    pub block: usize,
+    pub start: Vec<i64>,
+    pub parabola: bool,
+}
+
+/// A word of the block with its number in least input increments.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Parameter {
+    pub place: usize,
+    pub value: i64,
+}
+
+pub(crate) struct State<'a> {
+    pub control: &'a Control,
+    pub motion: Option<Motion>,
+    pub plane: Plane,
+    pub incremental: bool,
+    pub feed: Feed,
+    pub speed: Option<f64>,
+    coding: FeedCoding,
+    unit: FeedUnit,
+    /// Where every axis is, in least input increments.
+    pub position: Vec<i64>,
+    pub pending: Option<Pending>,
+
+    pub block: usize,
+    /// Where the block takes every axis.
+    pub target: Vec<i64>,
+    /// The block has a dimension word that can be used; the place of the last one for each axis.
+    pub words: Vec<Option<usize>>,
+    /// I, J and K of the block.
+    pub parameters: [Option<Parameter>; 3],
+    pub own_feed: bool,
+    motionless: bool,
+    preload: bool,
+
+    pub spans: Spans,
+    pub events: Vec<Event>,
+}
+
+impl<'a> State<'a> {
+    pub(crate) fn new(control: &'a Control) -> Self {
+        let axes = control.axes.len();
+        State {
+            control,
+            motion: None,
+            plane: control.plane,
+            incremental: control.dimensions == Dimensions::Incremental,
+            feed: Feed::None,
+            speed: None,
+            coding: control.feed,
+            unit: control.feed_unit,
+            position: control.set_point.clone(),
+            pending: None,
+            block: 0,
+            target: control.set_point.clone(),
+            words: vec![None; axes],
+            parameters: [None; 3],
+            own_feed: false,
+            motionless: false,
+            preload: false,
+            spans: Spans::new(axes),
+            events: Vec::new(),
+        }
+    }
+
+    /// Back to the modal state of the start, as a new program on the tape finds it; the tool stays where it is.
+    pub(crate) fn restart(&mut self) {
+        let (position, spans, events) =
+            (std::mem::take(&mut self.position), std::mem::take(&mut self.spans), std::mem::take(&mut self.events));
+        *self = State { position, spans, events, ..State::new(self.control) };
+    }
+
+    pub(crate) fn results(self) -> (Spans, Vec<Event>) {
+        (self.spans, self.events)
+    }
+
+    pub(crate) fn note(&mut self, kind: EventKind) {
+        self.events.push(Event { block: self.block, kind });
+    }
+
+    pub(crate) fn begin_block(&mut self, index: usize, _block: &Block) {
+        self.block = index;
+        self.target.clone_from(&self.position);
+        self.words.fill(None);
+        self.parameters = [None; 3];
+        self.own_feed = false;
+        self.motionless = false;
+        self.preload = false;
+    }
+
+    pub(crate) fn take_preparatory(&mut self, code: u8) {
+        let Preparatory::Assigned(group, _) = preparatory(code) else { return };
+        match (group, code) {
+            (Group::Motion, _) => {
+                let motion = match code {
+                    0 => Motion::Rapid,
+                    2 | 3 => Motion::Circle { clockwise: code == 2 },
+                    6 => Motion::Parabola,
+                    _ => Motion::Line { thread: code >= 33 },
+                };
+                if self.motion != Some(motion) {
+                    self.finish_span();
+                }
+                self.motion = Some(motion);
+            }
+            (Group::Plane, 17) => self.plane = Plane::Xy,
+            (Group::Plane, 18) => self.plane = Plane::Zx,
+            (Group::Plane, _) => self.plane = Plane::Yz,
+            (Group::Dimensions, _) => self.incremental = code == 91,
+            (Group::Feed, 93) => self.coding = FeedCoding::TimeReciprocal,
+            (Group::Feed, _) => {
+                self.unit = if code == 95 { FeedUnit::PerRevolution } else { FeedUnit::PerMinute };
+                if self.coding == FeedCoding::TimeReciprocal {
+                    self.coding = FeedCoding::Direct;
+                }
+            }
+            (Group::Once, 4) => self.motionless = true,
+            (Group::Once, 92) => self.preload = true,
+            _ => {}
+        }
+        if !is_carried_out(group, code) {
+            self.note(EventKind::NotCarriedOut(Limit::Function(code)));
+        }
+    }
+
+    pub(crate) fn take_feed(&mut self, word: &Word) {
+        self.own_feed = true;
+        self.feed = feed::read_feed(word, self.control, self.coding, self.unit);
+    }
+
+    pub(crate) fn take_speed(&mut self, word: &Word) {
+        self.speed = feed::read_speed(word, self.control);
+    }
+
+    /// Takes a dimension word or an interpolation parameter; any other word is no concern of the path.
+    pub(crate) fn take_dimension(&mut self, place: usize, word: &Word) {
+        let Some(value) = word.value else { return };
+        if let Some(index) = b"IJK".iter().position(|&letter| letter == word.address) {
+            self.parameters[index] = Some(Parameter { place, value });
+            return;
+        }
+        let Some(axis) = self.control.axis(word.address) else { return };
+        let target = if self.is_incremental(axis) { self.position[axis].checked_add(value) } else { Some(value) };
+        match target {
+            Some(target) => {
+                self.target[axis] = target;
+                self.words[axis] = Some(place);
+            }
+            None => self.note(EventKind::Overflow { word: place }),
+        }
+    }
+
+    /// How the dimension words of an axis are read at present.
+    pub(crate) fn is_incremental(&self, axis: usize) -> bool {
+        match self.control.axes[axis].sign {
+            _ if self.control.standard() == Standard::Rs274 => self.incremental,
+            Some(Sign::Incremental) => true,
+            Some(Sign::Both) => self.incremental,
+            _ => false,
+        }
+    }
+
+    /// The block moves no tool: a dwell, or a preload of registers, which sets the position.
+    pub(crate) fn is_motionless(&mut self) -> bool {
+        if self.preload {
+            self.finish_span();
+            self.position.clone_from(&self.target);
+        }
+        self.motionless || self.preload
+    }
+
+    /// The least input increment of an axis in the unit of the format.
+    pub(crate) fn increment(&self, axis: usize) -> f64 {
+        1.0 / power_of_ten(self.control.axes[axis].decimals) as f64
+    }
+
+    /// A position of one axis in the unit of the format: one exact division.
+    pub(crate) fn in_unit(&self, axis: usize, increments: i64) -> f64 {
+        increments as f64 / power_of_ten(self.control.axes[axis].decimals) as f64
+    }
+
+    /// X, Y and Z of a position in the unit of the format.
+    pub(crate) fn point(&self, position: &[i64]) -> [f64; 3] {
+        std::array::from_fn(|axis| self.in_unit(axis, position[axis]))
+    }
+}

@@ -1,0 +1,157 @@
+//! Format classification detailed shorthand: annex D of both standards, and the EIA format detail of Y-1702.
+
+use super::Standard;
+use std::ops::Range;
+
+/// What stands between the address of a dimension word and its digits: D.3.1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sign {
+    /// Nothing: absolute dimensions that are always positive.
+    Positive,
+    /// `+`: absolute dimensions, positive or negative.
+    Signed,
+    /// `D`: incremental dimensions.
+    Incremental,
+    /// `L`: absolute and incremental, ISO 2539 only.
+    Both,
+}
+
+/// Which zeros of a dimension word may be left out: D.3.1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Zeros {
+    /// None: every digit is punched.
+    All,
+    /// Three-digit designation that begins with 0.
+    LeadingOmitted,
+    /// Three-digit designation that ends with 0.
+    TrailingOmitted,
+}
+
+/// One word of the detail.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Designation {
+    /// The address, an upper-case letter.
+    pub address: char,
+    /// Where the word stands in the detail, without its full stop.
+    pub range: Range<usize>,
+    /// A full stop stands before it: the word begins with a tab.
+    pub tab: bool,
+    /// The sign mark as written.
+    pub sign: Sign,
+    /// The digits as written.
+    pub digits: String,
+    /// It is a dimension word; otherwise a number without sign.
+    pub dimension: bool,
+    /// Digits before the implicit decimal sign.
+    pub before: u8,
+    /// Digits behind the implicit decimal sign.
+    pub after: u8,
+    /// Zeros that may be left out.
+    pub zeros: Zeros,
+}
+
+impl Designation {
+    /// Digits of the word when every one is punched.
+    pub fn width(&self) -> u8 {
+        self.before + self.after
+    }
+
+    /// The designation as it is written: "X+42".
+    pub fn text(&self) -> String {
+        let sign = match self.sign {
+            Sign::Positive => "",
+            Sign::Signed => "+",
+            Sign::Incremental => "D",
+            Sign::Both => "L",
+        };
+        format!("{}{sign}{}", self.address, self.digits)
+    }
+}
+
+/// A detail, taken apart without judging it.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Detail {
+    /// Its words in their order.
+    pub words: Vec<Designation>,
+    /// The asterisk at the end.
+    pub end: Option<Range<usize>>,
+    /// What stands where nothing is foreseen.
+    pub stray: Vec<(char, Range<usize>)>,
+    /// The length of the text.
+    pub length: usize,
+}
+
+/// Letters that may be the address of a dimension word: 3.2.2.2.
+pub(crate) const DIMENSION_LETTERS: &str = "XYZUVWPQRIJKABCDE";
+
+impl Detail {
+    /// Takes a detail apart. Blanks are layout; EIA writes lower case.
+    ///
+    /// ```
+    /// use nctape::format::{Detail, Sign, Standard, Zeros};
+    /// let detail = Detail::read("N3.G2.X+042*", Standard::Iso2539);
+    /// let x = &detail.words[2];
+    /// assert_eq!((x.sign, x.before, x.after, x.zeros), (Sign::Signed, 4, 2, Zeros::LeadingOmitted));
+    /// ```
+    pub fn read(text: &str, standard: Standard) -> Detail {
+        let mut detail = Detail { length: text.len(), ..Detail::default() };
+        let places: Vec<(usize, char)> = text.char_indices().filter(|(_, c)| !c.is_whitespace()).collect();
+        let mut at = 0;
+        let mut tab = false;
+        while let Some(&(from, character)) = places.get(at) {
+            let here = from..from + character.len_utf8();
+            at += 1;
+            if detail.end.is_some() {
+                detail.stray.push((character, here));
+            } else if character == '.' && !tab {
+                tab = true;
+            } else if character == '*' {
+                detail.end = Some(here);
+            } else if character.is_ascii_alphabetic() {
+                let length = word_length(&places[at..]);
+                let to = if length == 0 { here.end } else { places[at + length - 1].0 + 1 };
+                let body: String = places[at..at + length].iter().map(|place| place.1.to_ascii_uppercase()).collect();
+                at += length;
+                detail.words.push(designation(character.to_ascii_uppercase(), from..to, tab, &body, standard));
+                tab = false;
+            } else {
+                detail.stray.push((character, here));
+            }
+        }
+        detail
+    }
+}
+
+/// How many places behind an address belong to its word: a sign mark and digits.
+fn word_length(places: &[(usize, char)]) -> usize {
+    let digit_at = |index: usize| places.get(index).is_some_and(|place| place.1.is_ascii_digit());
+    let marked = places.first().is_some_and(|place| matches!(place.1.to_ascii_uppercase(), '+' | 'D' | 'L'));
+    let from = usize::from(marked && digit_at(1));
+    let digits = (from..).take_while(|&index| digit_at(index)).count();
+    from + digits
+}
+
+fn designation(address: char, range: Range<usize>, tab: bool, body: &str, standard: Standard) -> Designation {
+    let digits = body.trim_start_matches(['+', 'D', 'L']).to_owned();
+    let sign = match body.chars().next() {
+        Some('+') => Sign::Signed,
+        Some('D') => Sign::Incremental,
+        Some('L') => Sign::Both,
+        _ => Sign::Positive,
+    };
+    let places: Vec<u8> = digits.bytes().map(|digit| digit - b'0').collect();
+    // One digit behind A, B, C, D or E marks a symbolic motion (annex D: B1) or another function: no dimension.
+    let dimension = DIMENSION_LETTERS.contains(address) && places.len() >= 2;
+    let (before, after, zeros) = match (places.as_slice(), dimension) {
+        ([before, after], true) => (*before, *after, Zeros::All),
+        ([0, before, after], true) => (*before, *after, Zeros::LeadingOmitted),
+        ([before, after, 0], true) => (*before, *after, Zeros::TrailingOmitted),
+        // A fault of the format (SPEC-14, NUM-07): read as if nothing might be left out.
+        ([before, after, ..], true) => (*before, *after, Zeros::All),
+        // Y-1702 gives f21 a decimal sign; ISO has one digit only (SPEC-15).
+        ([before, after, ..], false) if standard == Standard::Rs274 => (*before, *after, Zeros::All),
+        ([width, ..], false) => (*width, 0, Zeros::All),
+        _ => (0, 0, Zeros::All),
+    };
+    Designation { address, range, tab, sign, digits, dimension, before, after, zeros }
+}

@@ -1,0 +1,36 @@
+//! From the text to words and blocks (3.1 to 3.3 of both standards).
+//!
+//! Reading one block is a function of its characters, the control and whether a comment is open where it starts: its
+//! words, its strays and its diagnostics count offsets from the block's start. Reading never fails.
+
+pub(crate) mod number;
+mod scanner;
+mod tape;
+mod word;
+
+pub(crate) use number::NumberFault;
+pub(crate) use scanner::{Stray, StrayKind};
+pub use tape::{Block, ProgramMark, Reading, read};
+pub use word::Word;
+
+use crate::format::Control;
+
+/// One block as the rules of reading see it. Offsets count from the start of the block.
+pub(crate) struct BlockView<'a> {
+    pub control: &'a Control,
+    /// The characters of the block, end of block included.
+    pub text: &'a str,
+    pub words: &'a [Word],
+    pub strays: &'a [Stray],
+    /// The character of the optional block skip at the head of the block.
+    pub skip: Option<usize>,
+    /// The first byte of the end-of-block character; `None` where the text ends before it.
+    pub end: Option<usize>,
+}
+
+impl BlockView<'_> {
+    /// The sequence number word, if it heads the block.
+    pub(crate) fn sequence(&self) -> Option<&Word> {
+        self.words.first().filter(|word| word.is_sequence())
+    }
+}

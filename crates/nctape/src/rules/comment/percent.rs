@@ -1,0 +1,24 @@
+//! CTRL-04: a comment within the program holds a percent sign.
+
+use crate::read::StrayKind;
+use crate::rules::prelude::*;
+
+/// The rule.
+pub static RULE: Rule = Rule {
+    name: "percent-in-comment",
+    title: "A comment within the program holds a percent sign.",
+    verdicts: Verdicts::all("CTRL-04", Severity::Error),
+    clauses: &[Clause::Iso2539("B.2 note 4"), Clause::Iso1058("B.2 note 6")],
+    page: page!("CTRL-04"),
+};
+
+pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
+    for stray in block.strays.iter().filter(|stray| stray.kind == StrayKind::Reserved('%')) {
+        sink.report(
+            &RULE,
+            stray.range(),
+            "A comment within the program must not hold % because a rewinding tape stops at it. Write the comment without it."
+                .to_owned(),
+        );
+    }
+}

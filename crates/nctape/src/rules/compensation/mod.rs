@@ -1,0 +1,3 @@
+//! COMP: cutter compensation.
+
+pub(crate) mod unit_vector;

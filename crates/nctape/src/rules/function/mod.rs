@@ -1,0 +1,20 @@
+//! FUN: preparatory and miscellaneous functions.
+
+pub(crate) mod contouring;
+pub(crate) mod dimension_mode;
+pub(crate) mod no_interpolation;
+pub(crate) mod not_carried_out;
+pub(crate) mod permanently_unassigned;
+pub(crate) mod unassigned_miscellaneous;
+pub(crate) mod unassigned_preparatory;
+
+use crate::format::Control;
+
+/// The itemized data gives the function a meaning.
+fn is_declared(letter: char, code: u8, control: &Control) -> bool {
+    let stated = &control.format.itemized;
+    let name = format!("{letter}{code:02}");
+    let declared = stated.declared.as_ref().map(|declared| if letter == 'G' { &declared.g } else { &declared.m });
+    let curve = letter == 'G' && stated.curves.as_ref().is_some_and(|curves| curves.contains_key(&name));
+    curve || declared.is_some_and(|functions| functions.contains_key(&name))
+}

@@ -1,0 +1,226 @@
+//! The rules: one file each, with its names, verdicts, clauses, check and fix. Its page, which is its test, is
+//! `tests/rules/<id>.md`.
+//!
+//! A check sees a word, a block, an event of execution, a whole tape, or the format. It is called from the list of its
+//! stage below; that every rule is called is what the tests of the pages show.
+
+pub(crate) mod comment;
+pub(crate) mod compensation;
+pub(crate) mod feed;
+pub(crate) mod format;
+pub(crate) mod function;
+pub(crate) mod motion;
+pub(crate) mod number;
+mod prelude;
+mod rule;
+pub(crate) mod sequence;
+pub(crate) mod skip;
+pub(crate) mod tab;
+pub(crate) mod tape;
+mod view;
+pub(crate) mod word;
+
+pub(crate) use prelude::is_declared_letter;
+pub use rule::{Clause, Rule, Verdict, Verdicts};
+pub(crate) use view::TapeView;
+
+use crate::diagnostic::Sink;
+use crate::format::Control;
+use crate::read::{BlockView, Stray};
+
+/// Every rule, family by family.
+pub static ALL: &[&Rule] = &[
+    &tape::leading_end::RULE,
+    &tape::last_end::RULE,
+    &tape::late_program_start::RULE,
+    &tape::rewind_stop::RULE,
+    &tape::program_number::RULE,
+    &tape::foreign_character::RULE,
+    &tape::lower_case::RULE,
+    &tape::no_end_code::RULE,
+    &tape::unreached::RULE,
+    &tape::empty_block::RULE,
+    &comment::unclosed::RULE,
+    &comment::unopened::RULE,
+    &comment::colon::RULE,
+    &comment::percent::RULE,
+    &comment::nested::RULE,
+    &skip::misplaced::RULE,
+    &skip::without_sequence::RULE,
+    &sequence::missing::RULE,
+    &sequence::digits::RULE,
+    &sequence::width::RULE,
+    &sequence::tab::RULE,
+    &sequence::not_first::RULE,
+    &sequence::repeated::RULE,
+    &sequence::falling::RULE,
+    &sequence::alignment::RULE,
+    &word::order::RULE,
+    &word::dimension_order::RULE,
+    &word::repeated::RULE,
+    &word::two_miscellaneous::RULE,
+    &word::two_tools::RULE,
+    &word::no_digits::RULE,
+    &word::no_address::RULE,
+    &word::unknown_address::RULE,
+    &word::unassigned_letter::RULE,
+    &word::letter_o::RULE,
+    &word::parameters::RULE,
+    &tab::in_address_system::RULE,
+    &number::wrong_count::RULE,
+    &number::too_many::RULE,
+    &number::decimal_sign::RULE,
+    &number::too_few::RULE,
+    &number::sign_missing::RULE,
+    &number::incremental_sign_missing::RULE,
+    &number::sign_forbidden::RULE,
+    &number::sign_inside::RULE,
+    &number::sign_on_function::RULE,
+    &number::minus_zero::RULE,
+    &number::preparatory::RULE,
+    &number::miscellaneous::RULE,
+    &number::tool::RULE,
+    &function::unassigned_preparatory::RULE,
+    &function::permanently_unassigned::RULE,
+    &function::dimension_mode::RULE,
+    &function::no_interpolation::RULE,
+    &function::unassigned_miscellaneous::RULE,
+    &function::contouring::RULE,
+    &function::not_carried_out::RULE,
+    &motion::too_many_axes::RULE,
+    &motion::out_of_plane::RULE,
+    &motion::radius_mismatch::RULE,
+    &motion::other_reading::RULE,
+    &motion::zero_radius::RULE,
+    &motion::unfinished_arc::RULE,
+    &motion::points_on_a_line::RULE,
+    &motion::other_way::RULE,
+    &motion::full_circle::RULE,
+    &motion::unfinished_parabola::RULE,
+    &motion::degenerate_parabola::RULE,
+    &motion::idle_parameter::RULE,
+    &motion::no_motion::RULE,
+    &motion::overflow::RULE,
+    &feed::no_own_feed::RULE,
+    &feed::arc_feed_not_stated::RULE,
+    &feed::no_feed::RULE,
+    &compensation::unit_vector::RULE,
+    &format::class_contouring::RULE,
+    &format::class_positioning::RULE,
+    &format::class_system::RULE,
+    &format::class_unit::RULE,
+    &format::class_angles::RULE,
+    &format::class_digits::RULE,
+    &format::class_rising::RULE,
+    &format::angles_undeclared::RULE,
+    &format::motion_count::RULE,
+    &format::tabs_disagree::RULE,
+    &format::no_asterisk::RULE,
+    &format::letter_order::RULE,
+    &format::dimension_digits::RULE,
+    &format::zero_mark::RULE,
+    &format::function_digits::RULE,
+    &format::short_sequence::RULE,
+    &format::sequence_not_three::RULE,
+    &format::two_digit_functions::RULE,
+    &format::both_in_1058::RULE,
+    &format::unassigned_letters::RULE,
+    &format::parameters_in_1058::RULE,
+    &format::unknown_field::RULE,
+    &format::unusable_value::RULE,
+    &format::stray_character::RULE,
+    &format::empty_detail::RULE,
+];
+
+/// The rules on one block: a function of its characters and the control.
+pub(crate) fn check_block(block: &BlockView<'_>, sink: &mut Sink<'_>) {
+    tape::foreign_character::check(block.strays, block.control, sink);
+    tape::rewind_stop::check_block(block, sink);
+    comment::unclosed::check(block, sink);
+    comment::unopened::check(block, sink);
+    comment::colon::check(block, sink);
+    comment::percent::check(block, sink);
+    comment::nested::check(block, sink);
+    skip::misplaced::check(block, sink);
+    skip::without_sequence::check(block, sink);
+    sequence::missing::check(block, sink);
+    sequence::tab::check(block, sink);
+    sequence::not_first::check(block, sink);
+    sequence::alignment::check(block, sink);
+    word::order::check(block, sink);
+    word::dimension_order::check(block, sink);
+    word::repeated::check(block, sink);
+    word::two_miscellaneous::check(block, sink);
+    word::two_tools::check(block, sink);
+    tape::last_end::check(block, sink);
+    tape::empty_block::check(block, sink);
+    compensation::unit_vector::check(block, sink);
+    for word in block.words {
+        sequence::digits::check(word, block, sink);
+        sequence::width::check(word, block, sink);
+        word::no_digits::check(word, block, sink);
+        word::no_address::check(word, block, sink);
+        word::unknown_address::check(word, block, sink);
+        word::unassigned_letter::check(word, block, sink);
+        word::letter_o::check(word, block, sink);
+        word::parameters::check(word, block, sink);
+        number::wrong_count::check(word, block, sink);
+        number::too_many::check(word, block, sink);
+        number::decimal_sign::check(word, block, sink);
+        number::too_few::check(word, block, sink);
+        number::sign_missing::check(word, block, sink);
+        number::incremental_sign_missing::check(word, block, sink);
+        number::sign_forbidden::check(word, block, sink);
+        number::sign_inside::check(word, block, sink);
+        number::sign_on_function::check(word, block, sink);
+        number::minus_zero::check(word, block, sink);
+        number::preparatory::check(word, block, sink);
+        number::miscellaneous::check(word, block, sink);
+        number::tool::check(word, block, sink);
+        function::unassigned_preparatory::check(word, block, sink);
+        function::permanently_unassigned::check(word, block, sink);
+        function::unassigned_miscellaneous::check(word, block, sink);
+        function::dimension_mode::check(word, block, sink);
+        function::contouring::check(word, block, sink);
+    }
+}
+
+/// The rules on what stands before the first block of a program.
+pub(crate) fn check_head(strays: &[Stray], control: &Control, sink: &mut Sink<'_>) {
+    tape::foreign_character::check(strays, control, sink);
+}
+
+/// The rules on a whole tape and what executing it noted.
+pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
+    tape::leading_end::check(tape, sink);
+    tape::late_program_start::check(tape, sink);
+    tape::rewind_stop::check(tape, sink);
+    tape::program_number::check(tape, sink);
+    tape::lower_case::check(tape, sink);
+    tape::no_end_code::check(tape, sink);
+    tape::unreached::check(tape, sink);
+    sequence::repeated::check(tape, sink);
+    sequence::falling::check(tape, sink);
+    tab::in_address_system::check(tape, sink);
+    function::no_interpolation::check(tape, sink);
+    function::not_carried_out::check(tape, sink);
+    motion::full_circle::check(tape, sink);
+    motion::no_motion::check(tape, sink);
+    feed::no_own_feed::check(tape, sink);
+    feed::arc_feed_not_stated::check(tape, sink);
+    feed::no_feed::check(tape, sink);
+    for event in &tape.execution.events {
+        motion::too_many_axes::check(event, tape, sink);
+        motion::out_of_plane::check(event, tape, sink);
+        motion::radius_mismatch::check(event, tape, sink);
+        motion::other_reading::check(event, tape, sink);
+        motion::zero_radius::check(event, tape, sink);
+        motion::unfinished_arc::check(event, tape, sink);
+        motion::points_on_a_line::check(event, tape, sink);
+        motion::other_way::check(event, tape, sink);
+        motion::unfinished_parabola::check(event, tape, sink);
+        motion::degenerate_parabola::check(event, tape, sink);
+        motion::idle_parameter::check(event, tape, sink);
+        motion::overflow::check(event, tape, sink);
+    }
+}

@@ -1,0 +1,27 @@
+//! MOT-02: an arc does not lie in a principal plane.
+
+use crate::execute::{Event, EventKind};
+use crate::rules::prelude::*;
+
+/// The rule.
+pub static RULE: Rule = Rule {
+    name: "arc-out-of-plane",
+    title: "An arc does not lie in a principal plane.",
+    verdicts: Verdicts::all("MOT-02", Severity::Error),
+    clauses: &[Clause::Iso2539("4.2.2")],
+    page: page!("MOT-02"),
+};
+
+pub(crate) fn check(event: &Event, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
+    let EventKind::OutOfPlane { word } = event.kind else { return };
+    let block = &tape.reading.blocks[event.block];
+    let (range, what) = match tape.reading.words(block).get(word) {
+        Some(word) => (tape.reading.range(block, word), format!("{} is the third axis of the plane", word.letter())),
+        None => (tape.extent(event.block), "The third axis of the plane moves".to_owned()),
+    };
+    let message = format!(
+        "{what}; an arc lies in the plane that G17, G18 or G19 selected. Take the word out, or select the plane that \
+         the arc lies in."
+    );
+    sink.report(&RULE, range, message);
+}

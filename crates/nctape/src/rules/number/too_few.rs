@@ -1,0 +1,26 @@
+//! NUM-04: zeros may be left out of dimension words only.
+
+use crate::rules::prelude::*;
+
+/// The rule.
+pub static RULE: Rule = Rule {
+    name: "zeros-left-out",
+    title: "Zeros may be left out of dimension words only.",
+    verdicts: Verdicts::all("NUM-04", Severity::Error),
+    clauses: &[Clause::Both("3.3.1")],
+    page: page!("NUM-04"),
+};
+
+pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
+    let Some(designation) = block.control.designation(word.address) else { return };
+    let wanted = u16::from(designation.width());
+    if matches!(word.address, b'F' | b'S') && word.fault == NumberFault::None && word.digits < wanted {
+        let message = format!(
+            "{} has {}; this format wants {wanted} ({}). Zeros may be left out of dimension words only.",
+            word.letter(),
+            digits(word.digits),
+            designation.text()
+        );
+        sink.report(&RULE, word.range(), message);
+    }
+}

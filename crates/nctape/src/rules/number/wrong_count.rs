@@ -1,0 +1,43 @@
+//! NUM-01: a word has not the digits that the format says.
+
+use crate::format::Zeros;
+use crate::rules::prelude::*;
+
+/// The rule.
+pub static RULE: Rule = Rule {
+    name: "wrong-digit-count",
+    title: "A word has not the digits that the format says.",
+    verdicts: Verdicts::all("NUM-01", Severity::Error),
+    clauses: &[Clause::Both("D.3.1")],
+    page: page!("NUM-01"),
+};
+
+pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
+    let Some(designation) = block.control.designation(word.address) else { return };
+    if word.fault != NumberFault::None || matches!(word.address, b'N' | b'G' | b'M' | b'T' | b'F' | b'S') {
+        return;
+    }
+    let wanted = u16::from(designation.width());
+    let wrong = match designation.zeros {
+        Zeros::All if designation.dimension => word.digits < wanted,
+        Zeros::All => word.digits != wanted,
+        _ => false,
+    };
+    if !wrong {
+        return;
+    }
+    let message =
+        format!("{} has {}; this format wants {wanted} ({}).", word.letter(), digits(word.digits), designation.text());
+    sink.report(&RULE, word.range(), message).fix(|| {
+        let text = &block.text[word.range()];
+        let padded = pad(text, usize::from(wanted));
+        Fix::replace(format!("Fill it up with zeros in front: {padded}"), word.range(), padded)
+    });
+}
+
+/// Puts zeros before the first digit, up to a count of digits.
+fn pad(text: &str, wanted: usize) -> String {
+    let written = text.bytes().filter(u8::is_ascii_digit).count();
+    let first = text.find(|c: char| c.is_ascii_digit()).unwrap_or(text.len());
+    format!("{}{}{}", &text[..first], "0".repeat(wanted.saturating_sub(written)), &text[first..])
+}

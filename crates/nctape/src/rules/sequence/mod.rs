@@ -1,0 +1,10 @@
+//! SEQ: sequence numbers.
+
+pub(crate) mod alignment;
+pub(crate) mod digits;
+pub(crate) mod falling;
+pub(crate) mod missing;
+pub(crate) mod not_first;
+pub(crate) mod repeated;
+pub(crate) mod tab;
+pub(crate) mod width;

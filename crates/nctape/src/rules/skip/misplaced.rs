@@ -1,0 +1,25 @@
+//! SKIP-01: the slash does not stand before the sequence number word.
+
+use crate::read::StrayKind;
+use crate::rules::prelude::*;
+
+/// The rule.
+pub static RULE: Rule = Rule {
+    name: "misplaced-block-skip",
+    title: "The slash does not stand before the sequence number word.",
+    verdicts: Verdicts::all("SKIP-01", Severity::Error),
+    clauses: &[Clause::Iso2539("B.2 note 2"), Clause::Iso1058("B.2 note 4")],
+    page: page!("SKIP-01"),
+};
+
+pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
+    for stray in block.strays.iter().filter(|stray| stray.kind == StrayKind::Skip) {
+        sink.report(
+            &RULE,
+            stray.range(),
+            "The optional block skip / stands immediately before the sequence number word, at the head of the block. Move it \
+             there."
+                .to_owned(),
+        );
+    }
+}

@@ -1,0 +1,3 @@
+//! TAB: tabulation.
+
+pub(crate) mod in_address_system;

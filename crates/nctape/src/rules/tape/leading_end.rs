@@ -1,0 +1,27 @@
+//! TAPE-01: no end of block stands before the first block.
+
+use crate::rules::prelude::*;
+
+/// The rule.
+pub static RULE: Rule = Rule {
+    name: "missing-leading-end-of-block",
+    title: "No end of block stands before the first block.",
+    verdicts: Verdicts::contouring("TAPE-01", Severity::Error).rs274_as(Severity::Info),
+    clauses: &[Clause::Iso2539("3.2.1.3")],
+    page: page!("TAPE-01"),
+};
+
+pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
+    for &index in &tape.reading.unled {
+        let block = &tape.reading.blocks[index];
+        let at = block.range.start;
+        sink.report(
+            &RULE,
+            tape.extent(index),
+            "The first block has no end of block before it; a control passes over everything up to the first end of \
+             block. Put a line end or * before it."
+                .to_owned(),
+        )
+        .fix(|| Fix::replace("Put an end of block before it", at..at, "\n"));
+    }
+}

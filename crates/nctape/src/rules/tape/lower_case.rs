@@ -1,0 +1,27 @@
+//! TAPE-09: address characters are capital letters.
+
+use crate::rules::prelude::*;
+
+/// The rule.
+pub static RULE: Rule = Rule {
+    name: "lower-case-address",
+    title: "Address characters are capital letters.",
+    verdicts: Verdicts::all("TAPE-09", Severity::Warning).not_rs274(),
+    clauses: &[Clause::Both("annex B")],
+    page: page!("TAPE-09"),
+};
+
+pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
+    // EIA code has one case of letters: there is nothing to tell apart on the tape.
+    if tape.control.code == Code::Eia {
+        return;
+    }
+    let mut found = tape.words().filter(|(_, word)| word.lower_case);
+    let Some((block, word)) = found.next() else { return };
+    let message = format!(
+        "The address {} is written in lower case; ISO code has capital letters only, and it is punched as {}.",
+        char::from(word.address).to_ascii_lowercase(),
+        word.letter()
+    );
+    sink.report(&RULE, tape.range(block, word), message).count(1 + found.count());
+}

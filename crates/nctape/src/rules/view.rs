@@ -1,0 +1,71 @@
+//! A whole tape as the rules see it.
+
+use crate::execute::Execution;
+use crate::format::Control;
+use crate::read::{Block, Reading, Word};
+use std::ops::Range;
+
+/// A tape that was read and executed.
+pub(crate) struct TapeView<'a> {
+    pub text: &'a str,
+    pub control: &'a Control,
+    pub reading: &'a Reading,
+    pub execution: &'a Execution,
+}
+
+impl TapeView<'_> {
+    /// All words with their blocks.
+    pub(crate) fn words(&self) -> impl Iterator<Item = (&Block, &Word)> {
+        self.reading.blocks.iter().flat_map(|block| self.reading.words(block).iter().map(move |word| (block, word)))
+    }
+
+    /// Where a word stands in the text.
+    pub(crate) fn range(&self, block: &Block, word: &Word) -> Range<usize> {
+        self.reading.range(block, word)
+    }
+
+    /// From the first to the last word of a block; the whole block where it has none.
+    pub(crate) fn extent(&self, index: usize) -> Range<usize> {
+        let block = &self.reading.blocks[index];
+        match self.reading.words(block) {
+            [] => block.range.clone(),
+            words @ [first, ..] => {
+                let last = words.last().unwrap_or(first);
+                self.range(block, first).start..self.range(block, last).end
+            }
+        }
+    }
+
+    /// From the first to the last interpolation parameter of a block; the whole block where it has none.
+    pub(crate) fn parameters(&self, index: usize) -> Range<usize> {
+        let block = &self.reading.blocks[index];
+        let mut parameters = self.reading.words(block).iter().filter(|word| matches!(word.address, b'I' | b'J' | b'K'));
+        match parameters.next() {
+            None => self.extent(index),
+            Some(first) => {
+                let last = parameters.next_back().unwrap_or(first);
+                self.range(block, first).start..self.range(block, last).end
+            }
+        }
+    }
+
+    /// The blocks with a sequence number that can be told, and it.
+    pub(crate) fn sequence_numbers(&self) -> impl Iterator<Item = (usize, i64)> {
+        self.reading.blocks.iter().enumerate().filter_map(|(index, block)| {
+            let first = self.reading.words(block).first().filter(|word| word.is_sequence())?;
+            Some((index, first.value?))
+        })
+    }
+
+    /// Where the sequence number word of a block stands.
+    pub(crate) fn sequence_range(&self, index: usize) -> Range<usize> {
+        let block = &self.reading.blocks[index];
+        self.reading.words(block).first().map_or(block.range.clone(), |word| self.range(block, word))
+    }
+
+    /// Decimal places with which lengths are said: those of the finest axis that has dimension words.
+    pub(crate) fn places(&self) -> usize {
+        let written = self.control.axes.iter().filter(|axis| axis.sign.is_some());
+        written.map(|axis| usize::from(axis.decimals)).max().unwrap_or(3)
+    }
+}

@@ -1,0 +1,22 @@
+//! WORD-10: an address has no digits.
+
+use crate::rules::prelude::*;
+
+/// The rule.
+pub static RULE: Rule = Rule {
+    name: "address-without-digits",
+    title: "An address has no digits.",
+    verdicts: Verdicts::all("WORD-10", Severity::Error),
+    clauses: &[Clause::Both("3.3.2")],
+    page: page!("WORD-10"),
+};
+
+pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
+    if word.fault == NumberFault::Empty && word.address != 0 && !word.by_column {
+        let wanted = block.control.designation(word.address).map_or(String::new(), |designation| {
+            format!(" It wants {} here ({}).", digits(u16::from(designation.width())), designation.text())
+        });
+        let message = format!("The address {} has no digits.{wanted} Write them, or take it out.", word.letter());
+        sink.report(&RULE, word.range(), message);
+    }
+}

@@ -1,0 +1,45 @@
+//! WORD-01 / WORD-02: words stand out of order.
+
+use crate::rules::prelude::*;
+
+/// The rule.
+pub static RULE: Rule = Rule {
+    name: "word-order",
+    title: "Words stand out of order.",
+    verdicts: Verdicts::contouring("WORD-01", Severity::Error).and_iso1058("WORD-02", Severity::Warning),
+    clauses: &[Clause::Both("3.2.2")],
+    page: page!("WORD-01"),
+};
+
+pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
+    let mut highest: Option<(u8, &Word)> = None;
+    for word in block.words {
+        let Some(class) = class(word, block.control) else { continue };
+        match highest {
+            Some((before, other)) if class < before => {
+                let message = format!(
+                    "{} stands behind {}; the order is G, dimensions, F, S, T, M. Move it forward.",
+                    word.letter(),
+                    other.letter()
+                );
+                sink.report(&RULE, word.range(), message);
+                return;
+            }
+            _ => highest = Some((class, word)),
+        }
+    }
+}
+
+/// The place of a word in the order; `None` where it has none. ISO 2539 has rules of its own for feed words.
+fn class(word: &Word, control: &Control) -> Option<u8> {
+    let designation = control.designation(word.address)?;
+    match word.address {
+        b'G' => Some(1),
+        _ if designation.dimension => Some(2),
+        b'F' if control.standard() == Standard::Iso1058 => Some(3),
+        b'S' => Some(4),
+        b'T' => Some(5),
+        b'M' => Some(6),
+        _ => None,
+    }
+}

@@ -1,0 +1,34 @@
+//! WORD-05 / WORD-06: a word stands twice in its block.
+
+use crate::rules::prelude::*;
+
+/// The rule.
+pub static RULE: Rule = Rule {
+    name: "repeated-word",
+    title: "A word stands twice in its block.",
+    verdicts: Verdicts::contouring("WORD-05", Severity::Error).and_iso1058("WORD-06", Severity::Error),
+    clauses: &[Clause::Both("3.2.2")],
+    page: page!("WORD-05"),
+};
+
+pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
+    for (index, word) in block.words.iter().enumerate() {
+        let Some(designation) = block.control.designation(word.address) else { continue };
+        let counts = match (block.control.standard(), word.address) {
+            (_, b'N') => false,
+            (Standard::Iso1058, _) => designation.dimension,
+            // Feed and tool words may be several (3.2.2.3, 3.2.2.5); a second M has a rule of its own.
+            (_, b'F' | b'T' | b'M') => false,
+            _ => true,
+        };
+        let Some(first) = block.words[..index].iter().find(|other| other.address == word.address) else { continue };
+        if counts {
+            let message = format!(
+                "{} stands twice in this block; a data word may not be repeated. Take one out, or put it into a block \
+                 of its own.",
+                word.letter()
+            );
+            sink.report(&RULE, word.range(), message).related(first.range(), "the first one");
+        }
+    }
+}

@@ -1,0 +1,190 @@
+//! Spans: the pieces of path that blocks make (4.1).
+
+use crate::format::Plane;
+use std::ops::Range;
+
+/// What a span is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum SpanKind {
+    /// Positioning under G00: the path is not controlled, it is drawn as a straight line.
+    Rapid,
+    /// A straight line at feed.
+    Line,
+    /// An arc in a principal plane.
+    Arc,
+    /// A parabola.
+    Parabola,
+    /// A curve of higher order.
+    Curve,
+    /// A dwell: no motion.
+    Dwell,
+}
+
+impl SpanKind {
+    /// Every kind, in the order of [`SpanKind::index`].
+    pub const ALL: [SpanKind; 6] =
+        [SpanKind::Rapid, SpanKind::Line, SpanKind::Arc, SpanKind::Parabola, SpanKind::Curve, SpanKind::Dwell];
+
+    /// Its name in the interface.
+    pub fn name(self) -> &'static str {
+        match self {
+            SpanKind::Rapid => "rapid",
+            SpanKind::Line => "line",
+            SpanKind::Arc => "arc",
+            SpanKind::Parabola => "parabola",
+            SpanKind::Curve => "curve",
+            SpanKind::Dwell => "dwell",
+        }
+    }
+
+    /// Its place in [`SpanKind::ALL`].
+    pub fn index(self) -> usize {
+        self as usize
+    }
+}
+
+/// The course of a span between its ends, in the unit of the format.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Geometry {
+    /// Straight.
+    Line,
+    /// About a centre in a principal plane; the third axis moves in proportion to the angle.
+    Arc(Arc),
+    /// The parabola whose tangents at the ends meet in this point: X, Y, Z.
+    Parabola {
+        /// The tangent intersection point.
+        tangent: [f64; 3],
+    },
+}
+
+/// An arc about a centre.
+///
+/// Start, end and centre are whole increments, so the radii at the ends may differ by the rounding of the tape; the
+/// radius then changes in proportion to the angle, so that the arc meets both ends.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Arc {
+    /// The plane that it lies in.
+    pub plane: Plane,
+    /// The centre: first and second axis of the plane.
+    pub centre: [f64; 2],
+    /// The radius at the start.
+    pub start_radius: f64,
+    /// The radius at the end.
+    pub end_radius: f64,
+    /// The angle of the start about the centre, in radians from the first axis towards the second.
+    pub start_angle: f64,
+    /// Radians, counter-clockwise positive as seen from the positive third axis.
+    pub sweep: f64,
+}
+
+/// One span.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Span {
+    /// What it is.
+    pub kind: SpanKind,
+    /// First and last block.
+    pub blocks: (usize, usize),
+    /// Its course.
+    pub geometry: Geometry,
+    /// Where X, Y and Z are at its start.
+    pub start: [f64; 3],
+    /// Where X, Y and Z are at its end: the programmed point to the bit.
+    pub end: [f64; 3],
+    /// Its length in the unit of the format: along X, Y and Z, or of the other axes where those stand still.
+    pub length: f64,
+    /// Unit per minute along the path; `None` where it is not known.
+    pub feed: Option<f64>,
+    /// `None` where it is not known.
+    pub seconds: Option<f64>,
+    /// It stands in for what could not be computed.
+    pub substitute: bool,
+}
+
+/// The spans of a tape, and where every axis is at the ends of each.
+#[derive(Clone, Debug, Default)]
+pub struct Spans {
+    /// The spans, in order of execution.
+    pub list: Vec<Span>,
+    axes: usize,
+    positions: Vec<f64>,
+}
+
+impl Spans {
+    pub(crate) fn new(axes: usize) -> Spans {
+        Spans { list: Vec::new(), axes, positions: Vec::new() }
+    }
+
+    pub(crate) fn push(&mut self, span: Span, start: impl Iterator<Item = f64>, end: impl Iterator<Item = f64>) {
+        self.list.push(span);
+        self.positions.extend(start);
+        self.positions.extend(end);
+    }
+
+    /// Every axis at the start of a span.
+    pub fn start(&self, index: usize) -> &[f64] {
+        let from = index * 2 * self.axes;
+        &self.positions[from..from + self.axes]
+    }
+
+    /// Every axis at the end of a span.
+    pub fn end(&self, index: usize) -> &[f64] {
+        let from = (index * 2 + 1) * self.axes;
+        &self.positions[from..from + self.axes]
+    }
+
+    /// The spans that a block takes part in: none, or one, or two where it ends one and stands in for another.
+    pub fn of_block(&self, block: usize) -> Range<usize> {
+        let from = self.list.partition_point(|span| span.blocks.1 < block);
+        let to = self.list.partition_point(|span| span.blocks.0 <= block);
+        from..to.max(from)
+    }
+}
+
+impl Span {
+    /// The smallest box around the span: least and greatest X, Y and Z.
+    pub fn bounds(&self) -> ([f64; 3], [f64; 3]) {
+        let mut least = std::array::from_fn(|axis| self.start[axis].min(self.end[axis]));
+        let mut greatest = std::array::from_fn(|axis| self.start[axis].max(self.end[axis]));
+        let mut take = |axis: usize, value: f64| {
+            least[axis] = f64::min(least[axis], value);
+            greatest[axis] = f64::max(greatest[axis], value);
+        };
+        match self.geometry {
+            Geometry::Line => {}
+            Geometry::Arc(arc) => arc.extremes().for_each(|(axis, value)| take(axis, value)),
+            Geometry::Parabola { tangent } => {
+                for axis in 0..3 {
+                    let (start, end) = (self.start[axis], self.end[axis]);
+                    // P'(t) = 0 at t = (P0 - PT) / (P0 - 2 PT + P2), where that lies between the ends.
+                    let t = (start - tangent[axis]) / (start - 2.0 * tangent[axis] + end);
+                    if t > 0.0 && t < 1.0 {
+                        let s = 1.0 - t;
+                        take(axis, s * s * start + 2.0 * s * t * tangent[axis] + t * t * end);
+                    }
+                }
+            }
+        }
+        (least, greatest)
+    }
+}
+
+impl Arc {
+    /// Where the arc crosses a direction of an axis: that axis, and the coordinate there. The larger radius is taken,
+    /// so that the box holds the arc where its ends are off by a rounding.
+    fn extremes(&self) -> impl Iterator<Item = (usize, f64)> {
+        let [first, second, _] = self.plane.axes();
+        let radius = self.start_radius.max(self.end_radius);
+        let (from, to) = (self.start_angle, self.start_angle + self.sweep);
+        let (low, high) = (from.min(to), from.max(to));
+        // The start angle lies in one turn about zero and the sweep adds at most another: quarters -8 to 8 cover both.
+        (-8..=8).filter_map(move |quarter: i32| {
+            let angle = f64::from(quarter) * std::f64::consts::FRAC_PI_2;
+            (low < angle && angle < high).then(|| match quarter.rem_euclid(4) {
+                0 => (first, self.centre[0] + radius),
+                1 => (second, self.centre[1] + radius),
+                2 => (first, self.centre[0] - radius),
+                _ => (second, self.centre[1] - radius),
+            })
+        })
+    }
+}

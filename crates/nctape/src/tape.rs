@@ -1,0 +1,160 @@
+//! A tape under a control: its text, and all that follows from it.
+
+use crate::code::{Rows, encode};
+use crate::diagnostic::{Diagnostic, Severity, Sink};
+use crate::execute::{Execution, Totals, execute};
+use crate::flatten::{Points, flatten};
+use crate::format::{Control, Format, Standard};
+use crate::read::{Block, Reading, Word, number, read};
+use crate::rules::{self, TapeView};
+use crate::span::Spans;
+use std::ops::Range;
+
+/// Width of a row along the tape: ten to the inch (ISO 1154).
+pub const ROW_PITCH_MILLIMETRES: f64 = 2.54;
+
+/// A tape: the text, what was read of it, the spans and the diagnostics.
+///
+/// ```
+/// use nctape::{Format, Standard, Tape};
+/// let format = Format::new(Standard::Iso2539, "N3.G2.X+42.Y+32.F4.M2*").classified("CSM 222");
+/// let tape = Tape::new("%\nN001 G01 X+001000 Y+01000 F0300 M30\n", &format);
+/// assert!(tape.diagnostics().is_empty());
+/// assert_eq!(tape.spans().list[0].end, [10.0, 10.0, 0.0]);
+/// ```
+#[derive(Clone, Debug)]
+pub struct Tape {
+    text: String,
+    control: Control,
+    skip: bool,
+    rows: Rows,
+    reading: Reading,
+    execution: Execution,
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl Tape {
+    /// Reads and executes a text; the optional block skip switch is off. Any text gives a tape.
+    pub fn new(text: &str, format: &Format) -> Tape {
+        Tape::with_skip(text, format, false)
+    }
+
+    /// The same with the optional block skip switch in a given position.
+    pub fn with_skip(text: &str, format: &Format, skip: bool) -> Tape {
+        let mut tape = Tape {
+            text: text.to_owned(),
+            control: Control::new(format),
+            skip,
+            rows: Rows::default(),
+            reading: Reading::default(),
+            execution: Execution::default(),
+            diagnostics: Vec::new(),
+        };
+        tape.run();
+        tape
+    }
+
+    /// Replaces a range of the text. The ends must lie on character boundaries of the text; an end that does not is
+    /// moved forward to the next one.
+    pub fn edit(&mut self, range: Range<usize>, insert: &str) {
+        let boundary =
+            |at: usize| (at.min(self.text.len())..=self.text.len()).find(|&at| self.text.is_char_boundary(at));
+        let from = boundary(range.start).unwrap_or(self.text.len());
+        let to = boundary(range.end.max(range.start)).unwrap_or(self.text.len());
+        self.text.replace_range(from..to, insert);
+        self.run();
+    }
+
+    /// Changes the format.
+    pub fn set_format(&mut self, format: &Format) {
+        self.control = Control::new(format);
+        self.run();
+    }
+
+    /// Changes the position of the optional block skip switch.
+    pub fn set_skip(&mut self, skip: bool) {
+        self.skip = skip;
+        self.run();
+    }
+
+    fn run(&mut self) {
+        self.rows = encode(&self.text, self.control.code, self.control.end_of_block);
+        self.reading = read(&self.text, &self.control);
+        self.execution = execute(&self.reading, &self.control, self.skip);
+        let mut found = Vec::new();
+        let view =
+            TapeView { text: &self.text, control: &self.control, reading: &self.reading, execution: &self.execution };
+        rules::check_tape(&view, &mut Sink::new(self.control.standard(), &mut found));
+        found.extend(self.reading.diagnostics.iter().cloned());
+        // Stable: at one place the order is that of the lists of rules.
+        found.sort_by_key(|diagnostic| (diagnostic.range.start, diagnostic.range.end));
+        self.diagnostics = found;
+    }
+
+    /// The text.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// What the format makes of reading and executing.
+    pub fn control(&self) -> &Control {
+        &self.control
+    }
+
+    /// The standard in force.
+    pub fn standard(&self) -> Standard {
+        self.control.standard()
+    }
+
+    /// The rows of holes.
+    pub fn rows(&self) -> &Rows {
+        &self.rows
+    }
+
+    /// What was read: blocks and words.
+    pub fn reading(&self) -> &Reading {
+        &self.reading
+    }
+
+    /// The spans of what is executed.
+    pub fn spans(&self) -> &Spans {
+        &self.execution.spans
+    }
+
+    /// Lengths and times.
+    pub fn totals(&self) -> Totals {
+        self.execution.totals
+    }
+
+    /// All diagnostics, by position.
+    pub fn diagnostics(&self) -> &[Diagnostic] {
+        &self.diagnostics
+    }
+
+    /// How many diagnostics weigh as much.
+    pub fn count(&self, severity: Severity) -> usize {
+        self.diagnostics.iter().filter(|diagnostic| diagnostic.severity == severity).count()
+    }
+
+    /// The path as points, within a tolerance.
+    pub fn points(&self, tolerance: f64) -> Points {
+        flatten(self.spans(), tolerance)
+    }
+
+    /// The sequence number word of a block as written, blanks left out; `None` where there is none.
+    pub fn sequence(&self, block: &Block) -> Option<String> {
+        let word = self.reading.words(block).first().filter(|word| word.is_sequence())?;
+        Some(self.text[self.reading.range(block, word)].replace(' ', ""))
+    }
+
+    /// The value of a word in the unit of the format; `None` where its digits do not say it.
+    pub fn value(&self, word: &Word) -> Option<f64> {
+        word.value.map(|value| number::in_unit(&self.control, word.address, value))
+    }
+
+    /// The rows of a block.
+    pub fn rows_of(&self, block: &Block) -> Range<usize> {
+        let row = |byte: usize| self.rows.offsets.partition_point(|&offset| (offset as usize) < byte);
+        row(block.range.start)..row(block.range.end)
+    }
+}
