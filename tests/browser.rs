@@ -1,0 +1,174 @@
+//! The JavaScript interface in a headless browser: the figures of the printed tapes, as a script gets them.
+
+#![cfg(target_arch = "wasm32")]
+
+use js_sys::{Array, Float64Array, Object, Reflect, Uint32Array};
+use nctape_wasm as api;
+use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_test::{wasm_bindgen_test, wasm_bindgen_test_configure};
+
+wasm_bindgen_test_configure!(run_in_browser);
+
+fn get(object: &JsValue, path: &str) -> JsValue {
+    path.split('.').fold(object.clone(), |value, name| Reflect::get(&value, &name.into()).expect("an object"))
+}
+
+fn number(object: &JsValue, path: &str) -> f64 {
+    get(object, path).as_f64().expect("a number")
+}
+
+fn text(object: &JsValue, path: &str) -> String {
+    get(object, path).as_string().expect("a text")
+}
+
+fn list(object: &JsValue, path: &str) -> Vec<JsValue> {
+    get(object, path).unchecked_into::<Array>().to_vec()
+}
+
+fn preset(id: &str) -> JsValue {
+    let presets: Array = api::presets().unchecked_into();
+    presets.iter().find(|preset| text(preset, "id") == id).expect("the preset")
+}
+
+fn check(preset: &JsValue) -> JsValue {
+    api::check(&get(preset, "source"), &get(preset, "format"), &JsValue::UNDEFINED).expect("no malformed argument")
+}
+
+fn rules_of(report: &JsValue, severity: &str) -> Vec<String> {
+    let found = list(report, "diagnostics");
+    found.iter().filter(|found| text(found, "severity") == severity).map(|found| text(found, "rule")).collect()
+}
+
+#[wasm_bindgen_test]
+fn the_circular_tape_of_annex_e() {
+    let report = check(&preset("annex-e-circular"));
+    assert_eq!(rules_of(&report, "error"), [""; 0]);
+    assert_eq!(rules_of(&report, "warning"), [""; 0]);
+
+    let spans = list(&report, "spans");
+    let end = get(&spans[spans.len() - 1], "end");
+    // It closes on its set point, to the bit.
+    assert_eq!(Array::from(&end).to_vec(), [10.0, 10.0, 20.0].map(JsValue::from));
+
+    let arcs: Vec<&JsValue> = spans.iter().filter(|span| text(span, "kind") == "arc").collect();
+    assert_eq!(arcs.len(), 3);
+    for arc in arcs {
+        assert!((number(arc, "sweep").abs() - std::f64::consts::FRAC_PI_4).abs() < 1e-6);
+        let (centre, start) = (get(arc, "centre"), get(arc, "start"));
+        let radius = distance(&centre, &start);
+        assert!((radius - 20.0).abs() < 2e-4, "{radius}");
+    }
+    assert!((number(&report, "totals.seconds") / 60.0 - 0.7861).abs() < 5e-5);
+}
+
+/// The distance of two points in XY. Written out, so that the test leans on nothing of the core.
+fn distance(a: &JsValue, b: &JsValue) -> f64 {
+    let (dx, dy) = (number(a, "0") - number(b, "0"), number(a, "1") - number(b, "1"));
+    (dx * dx + dy * dy).sqrt()
+}
+
+#[wasm_bindgen_test]
+fn the_parabolic_tape_of_annex_e() {
+    let report = check(&preset("annex-e-parabolic"));
+    assert_eq!(rules_of(&report, "error"), [""; 0]);
+    let spans = list(&report, "spans");
+    assert_eq!(spans.iter().filter(|span| text(span, "kind") == "parabola").count(), 5);
+    assert!((number(&report, "totals.cutting") - 227.15).abs() < 0.005);
+}
+
+#[wasm_bindgen_test]
+fn figure_2s_reading_of_annex_e_names_the_one_that_fits_and_offers_it() {
+    let preset = preset("annex-e-circular");
+    Reflect::delete_property(get(&preset, "format.itemized").unchecked_ref(), &"arcCentre".into()).expect("an object");
+    let report = check(&preset);
+    assert_eq!(rules_of(&report, "error"), ["MOT-05"; 3]);
+
+    let found = list(&report, "diagnostics").into_iter().find(|found| text(found, "rule") == "MOT-05");
+    let found = found.expect("a finding");
+    assert!(text(&found, "message").contains("start minus centre"));
+    let fixes = list(&found, "fixes");
+    let format = fixes.iter().map(|fix| get(fix, "format")).find(|format| format.is_object()).expect("a format");
+    let mended = api::check(&get(&preset, "source"), &format, &JsValue::UNDEFINED).expect("no malformed argument");
+    assert_eq!(rules_of(&mended, "error"), [""; 0]);
+
+    let edits = fixes.iter().map(|fix| get(fix, "edits")).find(|edits| edits.is_object()).expect("edits");
+    let mut source: Vec<u16> = text(&preset, "source").encode_utf16().collect();
+    for edit in Array::from(&edits).iter().collect::<Vec<_>>().into_iter().rev() {
+        let (from, to) = (number(&edit, "from") as usize, number(&edit, "to") as usize);
+        source.splice(from..to, text(&edit, "insert").encode_utf16());
+    }
+    let source = String::from_utf16(&source).expect("UTF-16");
+    let mended = api::check(&source.into(), &get(&preset, "format"), &JsValue::UNDEFINED).expect("an object");
+    // The block with the mended signs is no longer among them.
+    assert_eq!(rules_of(&mended, "error"), ["MOT-05"; 2]);
+}
+
+#[wasm_bindgen_test]
+fn offsets_are_utf_16_code_units_and_lines_count_from_one() {
+    let format = get(&preset("annex-e-circular"), "format");
+    let source = "%\r\n(\u{1F600}) N001 G01 \u{2212}\r\n";
+    let report = api::check(&source.into(), &format, &JsValue::UNDEFINED).expect("no malformed argument");
+    let found = list(&report, "diagnostics");
+    let found = found.iter().find(|found| text(found, "message").contains("U+2212")).expect("a finding");
+    assert_eq!((number(found, "from"), number(found, "to")), (17.0, 18.0));
+    assert_eq!((number(found, "line"), number(found, "column")), (2.0, 15.0));
+}
+
+#[wasm_bindgen_test]
+fn a_malformed_argument_throws_a_type_error_with_its_field() {
+    let good = get(&preset("annex-e-circular"), "format");
+    let source = JsValue::from("N001");
+    let field = |result: Result<JsValue, JsValue>| {
+        let error = result.expect_err("a TypeError");
+        assert!(error.is_instance_of::<js_sys::TypeError>());
+        text(&error, "field")
+    };
+    assert_eq!(field(api::check(&1.into(), &good, &JsValue::UNDEFINED)), "source");
+    assert_eq!(field(api::check(&source, &"N3".into(), &JsValue::UNDEFINED)), "format");
+    assert_eq!(field(api::check(&source, &Object::new().into(), &JsValue::UNDEFINED)), "standard");
+    for tolerance in [JsValue::from(0.0), JsValue::from(-1.0), JsValue::from(f64::NAN), JsValue::NULL, "1".into()] {
+        assert_eq!(field(api::points(&source, &good, &tolerance)), "tolerance");
+    }
+}
+
+#[wasm_bindgen_test]
+fn an_unknown_or_unusable_field_of_a_format_is_reported_not_thrown() {
+    let preset = preset("annex-e-circular");
+    let itemized = get(&preset, "format.itemized");
+    Reflect::set(&itemized, &"feeed".into(), &1.into()).expect("an object");
+    Reflect::set(&itemized, &"plane".into(), &"xz".into()).expect("an object");
+    let explained = api::explain_format(&get(&preset, "format")).expect("no malformed argument");
+    let paths: Vec<String> = list(&explained, "diagnostics").iter().map(|found| text(found, "path")).collect();
+    assert!(paths.contains(&"itemized.feeed".to_owned()) && paths.contains(&"itemized.plane".to_owned()), "{paths:?}");
+    assert_eq!(rules_of(&check(&preset), "error"), [""; 0]);
+}
+
+#[wasm_bindgen_test]
+fn points_are_flat_arrays_and_end_on_the_programmed_point() {
+    let preset = preset("annex-e-circular");
+    let points =
+        api::points(&get(&preset, "source"), &get(&preset, "format"), &0.01.into()).expect("no malformed argument");
+    let xyz: Float64Array = get(&points, "xyz").unchecked_into();
+    let span: Uint32Array = get(&points, "span").unchecked_into();
+    assert_eq!(xyz.length(), 3 * span.length());
+    let end: Vec<f64> = (0..3).map(|axis| xyz.get_index(xyz.length() - 3 + axis)).collect();
+    assert_eq!(end, [10.0, 10.0, 20.0]);
+    // 13 chords for each arc of 45 degrees and radius 20 within 0,01; two ends for each of the 8 lines.
+    assert_eq!(span.length(), 3 * 14 + 8 * 2);
+}
+
+#[wasm_bindgen_test]
+fn a_live_tape_answers_edits_like_a_fresh_check() {
+    let preset = preset("annex-e-circular");
+    let source = text(&preset, "source");
+    let mut tape = api::Tape::new(&get(&preset, "source"), &get(&preset, "format"), &JsValue::UNDEFINED).expect("a tape");
+    let at = source.find("F0042").expect("the word") as u32;
+    assert_eq!(tape.edit(at, at + 5, "F0000"), 1);
+    let summary = tape.summary();
+    assert_eq!(number(&summary, "edit"), 1.0);
+    assert_eq!(number(&summary, "errors"), 1.0);
+    let found: Vec<JsValue> = tape.diagnostics(0, u32::MAX, 1000).unchecked_into::<Array>().to_vec();
+    assert!(found.iter().any(|found| text(found, "rule") == "FEED-13"));
+    let block = tape.block(tape.block_at(at) as u32);
+    assert_eq!(text(&block, "sequence"), "N003");
+}

@@ -1,0 +1,92 @@
+// The npm package in Node, as a script that programs against the core uses it.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+import { pathToFileURL } from "node:url";
+
+const folder = process.env.NCTAPE_PKG ?? join(import.meta.dirname, "../../pkg");
+/** @type {typeof import("nctape")} */
+const nctape = await import(pathToFileURL(join(folder, "nctape.js")).href);
+await nctape.default({ module_or_path: readFileSync(join(folder, "nctape_bg.wasm")) });
+
+/** @param {string} id */
+function preset(id) {
+  const found = nctape.presets().find((preset) => preset.id === id);
+  assert.ok(found, id);
+  return found;
+}
+
+test("the package says what it is", () => {
+  const manifest = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+  assert.equal(manifest.name, "nctape");
+  assert.deepEqual(nctape.version(), { package: manifest.version, api: 1 });
+});
+
+test("the printed tapes are free of errors", () => {
+  for (const { id, source, format } of nctape.presets()) {
+    const report = nctape.check(source, format);
+    const faults = report.diagnostics.filter((found) => found.severity !== "info");
+    assert.deepEqual(faults, [], id);
+    assert.equal(report.api, 1);
+    assert.equal(report.suppressed, 0);
+    assert.equal(report.totals.rows, nctape.encode(source, format).length);
+    assert.equal(report.totals.tapeMillimetres, report.totals.rows * 2.54);
+  }
+});
+
+test("the circular tape of annex E", () => {
+  const { source, format } = preset("annex-e-circular");
+  const { spans, totals, axes, unit } = nctape.check(source, format);
+  assert.deepEqual([axes, unit], [["X", "Y", "Z"], "mm"]);
+  assert.deepEqual(spans.at(-1)?.end, [10, 10, 20]);
+  const arcs = spans.filter((span) => span.kind === "arc");
+  assert.deepEqual(arcs.map((arc) => arc.centre), [[45, 35, 10], [45, 35, 10], [73.284, 63.284, 10]]);
+  assert.deepEqual(arcs.map((arc) => Math.sign(arc.sweep ?? 0)), [-1, -1, 1]);
+  assert.ok(Math.abs((totals.seconds ?? 0) / 60 - 0.7861) < 5e-5);
+});
+
+test("the test vector of annex E, byte for byte", () => {
+  const format = preset("annex-e-parabolic").format;
+  const source = "%\nN001G01X010000Y010000Z020000F0300M05\n";
+  const hex = (/** @type {Uint8Array} */ rows) => Buffer.from(rows).toString("hex");
+  assert.equal(
+    hex(nctape.encode(source, format)),
+    "a50a4e3030b14730b1d830b13030303059 30b1303030305a30b230303030c6303330304d30350a".replace(" ", ""),
+  );
+  assert.equal(
+    hex(nctape.encode(source, { ...format, itemized: { ...format.itemized, code: "eia" } })),
+    "0b8045202001672001372001202020203820012020202029200220202020762013202054201580",
+  );
+});
+
+test("options leave out what is not wanted, and the limit is kept", () => {
+  const { format } = preset("annex-e-circular");
+  const report = nctape.check("%\n" + "N001 #\n".repeat(20), format, { blocks: false, spans: false, limit: 5 });
+  assert.deepEqual([report.blocks, report.spans], [[], []]);
+  assert.equal(report.diagnostics.length, 5);
+  assert.ok(report.suppressed >= 15);
+});
+
+test("a malformed argument throws a TypeError with its field", () => {
+  const { source, format } = preset("annex-e-circular");
+  const field = (/** @type {string} */ name) => (/** @type {unknown} */ error) =>
+    error instanceof TypeError && Reflect.get(error, "field") === name;
+  const any = /** @type {any} */ (nctape);
+  assert.throws(() => any.check(1, format), field("source"));
+  assert.throws(() => any.check(source), field("format"));
+  assert.throws(() => any.check(source, { ...format, standard: "din66025" }), field("standard"));
+  assert.throws(() => any.check(source, format, 5), field("options"));
+  assert.throws(() => any.check(source, format, { limit: "all" }), field("limit"));
+  assert.throws(() => any.points(source, format, 0), field("tolerance"));
+  assert.throws(() => any.encode(undefined, format), field("source"));
+});
+
+test("every rule has a page, and every id stands once", () => {
+  const rules = nctape.rules();
+  const ids = rules.flatMap((rule) => [rule.rule, ...rule.aliases]);
+  assert.equal(new Set(ids).size, ids.length);
+  for (const rule of rules) {
+    assert.ok(rule.page.startsWith(`# ${rule.rule} ${rule.name}\n`), rule.rule);
+  }
+});
