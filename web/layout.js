@@ -8,7 +8,7 @@ const MOST = 75;
 function makeDivider() {
   const bench = byId('bench', HTMLElement);
   const divider = byId('divider', HTMLElement);
-  let share = 46;
+  let share = 50;
   /** @param {number} percent */
   function set(percent) {
     share = Math.round(Math.max(LEAST, Math.min(MOST, percent)) * 10) / 10;

@@ -34,7 +34,8 @@ function block(lines, at) {
   if (FENCE.test(line)) return fence(lines, at);
   const heading = HEADING.exec(line);
   if (heading !== null) {
-    const level = /** @type {'h3' | 'h4' | 'h5'} */ (`h${Math.min(5, heading[1].length + 1)}`);
+    // The dialog has the second level itself.
+    const level = /** @type {'h3' | 'h4' | 'h5'} */ (`h${Math.max(3, Math.min(5, heading[1].length + 1))}`);
     return [el(level, null, ...inline(heading[2])), at + 1];
   }
   if (ITEM.test(line)) return list(lines, at);

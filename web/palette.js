@@ -12,7 +12,10 @@ const NAMES = {
   lamp: '--lamp',
   lampText: '--lamp-text',
   benchText: '--bench-text',
+  lampInk: '--lamp-ink',
+  benchQuiet: '--bench-quiet',
   head: '--head',
+  jaw: '--jaw',
   error: '--mark-error',
   warning: '--mark-warning',
   info: '--mark-info',
@@ -25,6 +28,12 @@ const NAMES = {
   parabola: '--kind-parabola',
   curve: '--kind-curve',
   dwell: '--kind-dwell',
+  'band-rapid': '--band-rapid',
+  'band-line': '--band-line',
+  'band-arc': '--band-arc',
+  'band-parabola': '--band-parabola',
+  'band-curve': '--band-curve',
+  'band-dwell': '--band-dwell',
 };
 
 /** @type {{ theme: string, colours: Record<string, string> } | null} */

@@ -72,7 +72,7 @@ export function makePlayground({ store, engine, kinds, presets }) {
   makeLearn();
   makeFormatPanel({ store, engine, change: (format) => changeFormat(editor, format) });
   makeStrip({ store, engine, kinds, onRow: (offset) => moveCursor(editor, offset, 'tape') });
-  const problems = makeProblems({ store, engine, deeds, textLength: () => editor.state.doc.length, cursor: head });
+  const problems = makeProblems({ store, engine, deeds, textLength: () => editor.state.doc.length, cursor: () => editor.state.selection.main.from });
   makePlot({ store, engine, kinds, onBlock: (offset) => moveCursor(editor, offset, 'path') });
   makeTotals(store);
   byId('tab-key', HTMLElement).addEventListener('click', () => {

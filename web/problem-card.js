@@ -1,6 +1,7 @@
 // One problem in words: in the list, and under the pointer in the text.
 import { button, el } from './dom.js';
 import { severityMark } from './severity.js';
+import { whole } from './words.js';
 
 /** @typedef {import('nctape').Diagnostic} Diagnostic */
 /** @typedef {import('nctape').Fix} Fix */
@@ -21,8 +22,10 @@ export function messageOf({ message, clauses, count }) {
     'span',
     { class: 'message' },
     message,
-    count > 1 ? el('span', { class: 'times' }, ` ${count} times.`) : null,
-    clauses.length > 0 ? el('span', { class: 'clauses' }, ` ${clauses.join(', ')}`) : null,
+    count > 1 ? ' ' : null,
+    count > 1 ? el('span', { class: 'times' }, `${whole(count)} times.`) : null,
+    ' ',
+    el('span', { class: 'clauses' }, clauses.join(', ')),
   );
 }
 

@@ -17,7 +17,7 @@
  * A stretch of rows with all that is drawn around it.
  * @typedef {object} StripWindow
  * @property {import('nctape').RowWindow} rows
- * @property {{ row: number, text: string, index: number }[]} names  blocks that begin here, with their number
+ * @property {{ row: number, text: string, index: number }[]} names  the numbers of the blocks here, with the row where each begins
  * @property {Uint8Array} marks  for each row: 0, or the worst severity there, as an index into `SEVERITIES` plus 1
  */
 
@@ -82,9 +82,7 @@ export const questions = {
       const index = rows.blocks[i];
       if (index < 0 || (i > 0 && rows.blocks[i - 1] === index)) continue;
       const block = tape.block(index);
-      if (block !== null && block.sequence !== null && block.rows[0] === first + i) {
-        names.push({ row: first + i, text: block.sequence, index });
-      }
+      if (block !== null && block.sequence !== null) names.push({ row: block.rows[0], text: block.sequence, index });
     }
     return { rows, names, marks: marksOf(tape, rows) };
   },

@@ -44,7 +44,7 @@ function pageOf(rule, standards) {
   });
   const body = markdown(rule.page);
   // The page's own heading would say the title twice.
-  if (body[0]?.tagName === 'H3') body.shift();
+  if (rule.page.trimStart().startsWith('# ')) body.shift();
   return [
     el('form', { method: 'dialog', class: 'page-close' }, el('button', { type: 'submit', class: 'small' }, 'Close')),
     el('p', { class: 'eyebrow' }, `${rule.rule} · ${rule.name}`),

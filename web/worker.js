@@ -70,9 +70,7 @@ const facts = {
    */
   async columns(pitch, theme) {
     const { image, ...sizes } = nctape.columns(pitch, theme);
-    // The first pixel is bench: the page paints its surroundings with the same.
-    const bench = `rgb(${image.data.slice(0, 3).join(' ')})`;
-    return { sheet: await createImageBitmap(image), bench, ...sizes };
+    return { sheet: await createImageBitmap(image), ...sizes };
   },
 };
 

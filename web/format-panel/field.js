@@ -30,7 +30,7 @@ export function makeField(field, onValue) {
     const written = box.value.trim();
     const parsed = written === '' ? { value: undefined } : way.read(written);
     tellFault('fault' in parsed ? parsed.fault : '');
-    if ('value' in parsed) onValue(choiceValue(field, parsed.value));
+    if ('value' in parsed) onValue(parsed.value);
   });
   /** @param {string} words */
   function tellFault(words) {
@@ -61,21 +61,12 @@ export function makeField(field, onValue) {
             'p',
             { class: 'field-verdict' },
             severityMark(severity),
-            el('span', null, message, el('span', { class: 'clauses' }, ` ${clauses.join(', ')}`)),
+            el('span', null, message, ' ', el('span', { class: 'clauses' }, clauses.join(', '))),
           ),
         ),
       );
     },
   };
-}
-
-/**
- * A choice among numbers is a number.
- * @param {FormatField} field
- * @param {unknown} value
- */
-function choiceValue({ kind }, value) {
-  return kind === 'choice' && typeof value === 'string' && /^\d+$/.test(value) ? Number(value) : value;
 }
 
 /**

@@ -54,7 +54,7 @@ const json = {
     try {
       return { value: JSON.parse(written) };
     } catch {
-      return { fault: 'This is not complete yet. Write it as JSON, like {"address": "F"}.' };
+      return { fault: 'This cannot be read yet. Write it as JSON, like {"name": "value"}.' };
     }
   },
 };

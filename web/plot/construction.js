@@ -57,9 +57,11 @@ function drawArc(pen, span, centre, sweep) {
   caption(pen, degrees(Math.abs(sweep)), middle[0] + (small + 8) * Math.cos(half), middle[1] + (small + 8) * Math.sin(half), Math.cos(half));
   const length = Math.hypot(...span.start.map((value, axis) => value - (centre[axis] ?? value)));
   if (radius > 70) {
-    const x = (start[0] * 0.6 + middle[0] * 0.4);
-    const y = (start[1] * 0.6 + middle[1] * 0.4);
-    caption(pen, `R ${coordinate(length, unit)}`, x + 8, y - 6, 1);
+    // Beside the first radius, on the side that the sweep leaves free.
+    const side = sweep > 0 ? from + Math.PI / 2 : from - Math.PI / 2;
+    const x = start[0] * 0.55 + middle[0] * 0.45 + 9 * Math.cos(side);
+    const y = start[1] * 0.55 + middle[1] * 0.45 + 9 * Math.sin(side);
+    caption(pen, `R ${coordinate(length, unit)}`, x, y, Math.cos(side));
   }
 }
 

@@ -11,16 +11,16 @@ const MOST_MARKS = 2500;
  * @param {CanvasRenderingContext2D} context
  * @param {View} view
  * @param {Path} path
- * @param {string[]} kinds
+ * @param {(span: number) => string} kindOf
  * @param {Record<string, string>} colours
  */
-export function drawPath(context, view, path, kinds, colours) {
+export function drawPath(context, view, path, kindOf, colours) {
   /** @type {Map<string, Path2D>} */
   const strokes = new Map();
   const ends = new Path2D();
   const withEnds = path.kinds.length <= MOST_MARKS;
   forEachRun(view, path, (span, points) => {
-    const key = `${kinds[path.kinds[span]]} ${path.substitutes[span]}`;
+    const key = `${kindOf(span)} ${path.substitutes[span]}`;
     const stroke = strokes.get(key) ?? new Path2D();
     strokes.set(key, stroke);
     addThinned(stroke, points);

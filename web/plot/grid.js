@@ -60,7 +60,7 @@ export function drawGrid(context, view, colours, { axes, unit, font }) {
         context.lineTo(width, Math.round(y) + 0.5);
       }
       context.stroke();
-      if (axis === 0 && x > 40 && x < width - 40) {
+      if (axis === 0 && x > 40 && x < width - 64) {
         context.textAlign = 'center';
         context.textBaseline = 'bottom';
         context.fillText(label(n * step, step), x, height - 6);

@@ -40,6 +40,9 @@ export function makePlot({ store, engine, kinds, onBlock }) {
   let fitted = false;
   let ratio = 1;
 
+  /** @param {number} span */
+  const kindOf = (span) => kinds[(path?.kinds[span] ?? 0) - 1] ?? '';
+
   const redraw = onceAFrame(draw);
   function redrawAll() {
     baseIsTrue = false;
@@ -97,7 +100,7 @@ export function makePlot({ store, engine, kinds, onBlock }) {
       baseContext.fillStyle = colours.sheet;
       baseContext.fillRect(0, 0, view.width, view.height);
       drawGrid(baseContext, view, colours, { axes: summary.axes, unit: summary.unit === 'mm' ? 'mm' : 'in', font });
-      if (path !== null) drawPath(baseContext, view, path, kinds, colours);
+      if (path !== null) drawPath(baseContext, view, path, kindOf, colours);
       if (path !== null && path.xyz.length > 0) drawStart(baseContext, view, path.xyz.subarray(0, 3), colours);
       baseIsTrue = true;
     }
@@ -110,7 +113,7 @@ export function makePlot({ store, engine, kinds, onBlock }) {
       drawLit(context, view, path, /** @type {number} */ (here.block?.span), here.span.kind, colours, 11);
     }
     if (pointed !== null && pointed < path.kinds.length && pointed !== here?.block?.span) {
-      drawLit(context, view, path, pointed, kinds[path.kinds[pointed]], colours, 7);
+      drawLit(context, view, path, pointed, kindOf(pointed), colours, 7);
     }
   }
 
@@ -118,7 +121,7 @@ export function makePlot({ store, engine, kinds, onBlock }) {
   function showLegend() {
     const used = new Set(path?.kinds ?? []);
     legend.replaceChildren(
-      ...kinds.filter((_, index) => used.has(index)).map((kind) => el('li', { class: `key kind-${kind}` }, kind)),
+      ...kinds.filter((_, index) => used.has(index + 1)).map((kind) => el('li', { class: `key kind-${kind}` }, kind)),
     );
   }
 

@@ -22,8 +22,8 @@ const LEADER = 48;
 const FADE = 28;
 
 /** Heights around the tape, in CSS pixels. */
-const ABOVE = 16;
-const BELOW = 17;
+const ABOVE = 17;
+const BELOW = 25;
 const BAND = 4;
 
 /** @type {(0 | 'info' | 'warning' | 'error')[]} */
@@ -92,21 +92,49 @@ function drawRow(context, frame, row) {
   const paper = top + paperTop;
   const isLit = lit !== null && lit[0] <= row && row < lit[1];
   if (isLit) {
+    const rail = Math.round(3 * ratio);
     context.fillStyle = colours.lamp;
     context.fillRect(x, paper, pitch, paperHeight);
+    context.fillStyle = colours.head;
+    context.fillRect(x, paper, pitch, rail);
+    context.fillRect(x, paper + paperHeight - rail, pitch, rail);
   }
   if (known.kind > 0) drawBand(context, frame, kinds[known.kind - 1], x, paper - Math.round((BAND + 3) * ratio));
   if (known.mark > 0) drawMark(context, frame, x, MARKS[known.mark]);
 
   const { label } = meanings[known.byte];
-  if (label !== '') {
-    const size = Math.min(11.5 * ratio, (pitch * 0.98) / (0.61 * label.length));
-    context.font = `${isLit ? '600 ' : ''}${size}px ${frame.font}`;
-    context.textAlign = 'center';
-    context.textBaseline = 'alphabetic';
-    context.fillStyle = known.mark === 3 ? colours.errorOnBench : isLit ? colours.lampText : colours.benchText;
-    context.fillText(label, x + pitch / 2, top + columnHeight + Math.round(1 * ratio));
+  const bad = known.mark === 3;
+  const colour = bad ? colours.errorOnBench : isLit ? colours.lampText : label.length > 1 ? colours.benchQuiet : colours.benchText;
+  drawCharacter(context, frame, label, x, colour, isLit ? 600 : 400);
+}
+
+/**
+ * The character under its row; the name of one that is not printed stands upright.
+ * @param {CanvasRenderingContext2D} context
+ * @param {Frame} frame
+ * @param {string} label
+ * @param {number} x
+ * @param {string} colour
+ * @param {number} weight
+ */
+function drawCharacter(context, { sheet, top, font, ratio }, label, x, colour, weight) {
+  if (label === '') return;
+  const { pitch, columnHeight } = sheet;
+  const y = top + columnHeight + Math.round(ratio * 5);
+  context.fillStyle = colour;
+  context.textBaseline = 'middle';
+  context.textAlign = 'center';
+  if (label.length === 1) {
+    context.font = `${weight} ${12 * ratio}px ${font}`;
+    context.fillText(label, x + pitch / 2, y);
+    return;
   }
+  context.font = `${weight} ${Math.min(8 * ratio, (20 * ratio) / (0.61 * label.length))}px ${font}`;
+  context.save();
+  context.translate(x + pitch / 2, y);
+  context.rotate(-Math.PI / 2);
+  context.fillText(label, 0, 0);
+  context.restore();
 }
 
 /**
@@ -119,7 +147,7 @@ function drawRow(context, frame, row) {
  */
 function drawBand(context, { colours, sheet, ratio }, kind, x, y) {
   const height = Math.round(BAND * ratio);
-  context.fillStyle = colours[kind] ?? colours.benchText;
+  context.fillStyle = colours[`band-${kind}`] ?? colours.benchText;
   context.fillRect(x, y, kind === 'rapid' ? Math.round(sheet.pitch * 0.6) : sheet.pitch, height);
 }
 
@@ -141,7 +169,7 @@ function drawMark(context, { sheet, colours, top, ratio }, x, severity) {
   context.roundRect(x + line / 2, top + paperTop + line / 2, pitch - line, paperHeight - line, pitch * 0.3);
   context.stroke();
   context.setLineDash([]);
-  drawShape(context, severity, x + pitch / 2, top + columnHeight + 9 * ratio, 4 * ratio, colours[`${severity}OnBench`]);
+  drawShape(context, severity, x + pitch / 2, top + columnHeight + 18 * ratio, 4 * ratio, colours[`${severity}OnBench`]);
 }
 
 /**
@@ -170,51 +198,90 @@ function drawShape(context, severity, x, y, r, colour) {
 
 /**
  * The numbers of the blocks above their first rows, left out where two would touch.
+ * The number of a block that began further left stays at the edge.
  * @param {CanvasRenderingContext2D} context
  * @param {Frame} frame
  */
-function drawNames(context, { windows, first, last, xOf, lit, colours, font, ratio, top, sheet }) {
-  let free = -Infinity;
+function drawNames(context, frame) {
+  const { windows, first, last, xOf, font, ratio } = frame;
+  const gap = 6 * ratio;
+  /** @type {{ row: number, text: string } | null} */
+  let began = null;
+  let free = 0;
   context.textAlign = 'left';
   context.textBaseline = 'alphabetic';
-  for (const { row, text } of windows.names(first - 12, last)) {
-    const isLit = lit !== null && row === lit[0];
-    context.font = `${isLit ? '700' : '500'} ${11.5 * ratio}px ${font}`;
-    const x = xOf(row);
+  context.font = `600 ${11.5 * ratio}px ${font}`;
+  for (const name of windows.names(first, last)) {
+    const x = xOf(name.row);
+    if (x < 0) {
+      began = name;
+      continue;
+    }
+    if (began !== null) {
+      if (gap + context.measureText(began.text).width + gap < x) drawName(context, frame, began, 0);
+      began = null;
+    }
     if (x < free) continue;
-    free = x + context.measureText(text).width + 6 * ratio;
-    context.fillStyle = isLit ? colours.lampText : colours.benchText;
-    context.fillText(text, x + 3 * ratio, top - Math.round(2 * ratio));
-    context.fillRect(x, top - Math.round(10 * ratio), Math.max(1, Math.round(ratio)), Math.round(10 * ratio) + sheet.paperTop - Math.round(9 * ratio));
+    free = x + context.measureText(name.text).width + gap;
+    drawName(context, frame, name, x);
   }
+  if (began !== null) drawName(context, frame, began, 0);
 }
 
 /**
- * The reader head: it stands still, the tape runs under it.
+ * @param {CanvasRenderingContext2D} context
+ * @param {Frame} frame
+ * @param {{ row: number, text: string }} name
+ * @param {number} x
+ */
+function drawName(context, { sheet, lit, colours, top, ratio, xOf }, { row, text }, x) {
+  const isLit = lit !== null && row === lit[0];
+  context.fillStyle = isLit ? colours.lampText : colours.benchText;
+  context.fillText(text, x + Math.round(4 * ratio), top - Math.round(2 * ratio));
+  if (xOf(row) < 0) return;
+  const height = sheet.paperTop + Math.round(4 * ratio);
+  context.fillRect(x, top - Math.round(11 * ratio), Math.max(1, Math.round(ratio)), height);
+}
+
+/**
+ * The reader head: it stands still, the tape runs under it. Two jaws hold a window over the row;
+ * a fine line runs through it to the character, which is set in the colour of the lamp.
  * @param {CanvasRenderingContext2D} context
  * @param {Frame} frame
  */
-function drawHead(context, { sheet, head, top, ratio, colours }) {
-  const { pitch, paperTop, paperHeight } = sheet;
+function drawHead(context, frame) {
+  const { sheet, windows, meanings, position, head, top, ratio, colours } = frame;
+  const { pitch, paperTop, paperHeight, columnHeight } = sheet;
   const centre = head + pitch / 2;
-  const edge = Math.round(3 * ratio);
-  const over = paperTop + top;
-  context.fillStyle = colours.head;
-  for (const [y, direction] of [[over - edge, -1], [over + paperHeight + edge, 1]]) {
-    context.beginPath();
-    context.moveTo(centre, y);
-    context.lineTo(centre + 6 * ratio, y + direction * 8 * ratio);
-    context.lineTo(centre - 6 * ratio, y + direction * 8 * ratio);
-    context.closePath();
-    context.fill();
-  }
+  const paper = top + paperTop;
+  const wide = Math.round(pitch * 2.3);
+  const jaw = Math.round(7 * ratio);
   const line = Math.max(1, Math.round(ratio));
-  context.strokeStyle = colours.head;
-  context.lineWidth = Math.max(1, Math.round(1.5 * ratio));
+
+  context.fillStyle = colours.jaw;
+  context.shadowColor = 'rgb(0 0 0 / 45%)';
+  context.shadowBlur = 5 * ratio;
+  context.shadowOffsetY = ratio;
   context.beginPath();
-  context.roundRect(head - line, over - edge, pitch + 2 * line, paperHeight + 2 * edge, 4 * ratio);
-  context.stroke();
-  context.globalAlpha = 0.75;
-  context.fillRect(Math.round(centre - line / 2), over, line, paperHeight);
-  context.globalAlpha = 1;
+  context.roundRect(centre - wide / 2, paper - jaw, wide, jaw + line, [4 * ratio, 4 * ratio, 0, 0]);
+  context.roundRect(centre - wide / 2, paper + paperHeight - line, wide, jaw, [0, 0, 4 * ratio, 4 * ratio]);
+  context.fill();
+  context.shadowColor = 'transparent';
+
+  context.strokeStyle = colours.head;
+  context.lineWidth = 2 * line;
+  context.strokeRect(head - line, paper, pitch + 2 * line, paperHeight);
+  context.fillStyle = colours.head;
+  context.fillRect(Math.round(centre - line / 2), paper - jaw, line, paperHeight + 2 * jaw);
+
+  const known = windows.row(Math.max(0, Math.round(position)));
+  if (known === null || frame.rows === 0) return;
+  const { label } = meanings[known.byte];
+  const y = top + columnHeight + Math.round(5 * ratio);
+  const half = Math.max(pitch, 14 * ratio) / 2 + ratio;
+  context.fillStyle = colours.lampText;
+  context.beginPath();
+  context.roundRect(centre - half, y - 11 * ratio, 2 * half, 22 * ratio, 4 * ratio);
+  context.fill();
+  drawCharacter(context, frame, label, head, colours.lampInk, 700);
 }

@@ -45,6 +45,7 @@ export function makeStrip({ store, engine, kinds, onRow }) {
     redraw();
   });
   const sheets = new SheetSource((size, theme) => engine.fact('columns', size, theme), ({ bench }) => {
+    // The page paints what surrounds the picture with the same bench.
     document.documentElement.style.setProperty('--bench', bench);
     redraw();
   });
@@ -56,7 +57,7 @@ export function makeStrip({ store, engine, kinds, onRow }) {
   function measure() {
     ratio = window.devicePixelRatio || 1;
     const wide = matchMedia('(min-width: 1000px)').matches;
-    const device = Math.max(4, Math.round((wide ? 13 : 11) * ratio));
+    const device = Math.max(4, Math.round((wide ? 14 : 11) * ratio));
     pitch = device / ratio;
     const height = stripHeight(pitch);
     const width = strip.clientWidth;
@@ -191,8 +192,13 @@ export function makeStrip({ store, engine, kinds, onRow }) {
     windows.want(row, row);
     const known = summary.rows > 0 ? windows.row(row) : null;
     if (summary.rows === 0) words.textContent = 'The tape is empty.';
-    else if (known !== null) words.textContent = rowWords(row, summary.rows, here.block?.sequence ?? null, meanings[known.byte]);
-    strip.setAttribute('aria-valuetext', words.textContent ?? '');
+    if (known === null) {
+      if (summary.rows === 0) strip.setAttribute('aria-valuetext', 'The tape is empty.');
+      return;
+    }
+    const block = here.block?.sequence ?? null;
+    words.textContent = rowWords(row, summary.rows, block, meanings[known.byte]);
+    strip.setAttribute('aria-valuetext', spokenRow(row, summary.rows, block, meanings[known.byte]));
   }
   const arrived = windows.onArrival;
   windows.onArrival = () => {
@@ -206,16 +212,30 @@ export function makeStrip({ store, engine, kinds, onRow }) {
 }
 
 /**
- * "Row 152 of 358, block N006, G, tracks 1, 2, 3 and 7."
+ * "Row 152 of 358 · N006 · G · tracks 1 2 3 7"
  * @param {number} row
  * @param {number} rows
  * @param {string | null} block
  * @param {import('nctape').RowMeaning} meaning
  */
 function rowWords(row, rows, block, { name, tracks, parity }) {
-  const holes = tracks.length === 0 ? 'no hole' : `${tracks.length === 1 ? 'a hole in track' : 'holes in tracks'} ${listed(tracks)}`;
-  const place = `Row ${whole(row + 1)} of ${whole(rows)}`;
-  return `${[place, block === null ? null : `block ${block}`, name, holes].filter((part) => part !== null && part !== '').join(' · ')}${parity ? '' : ' · wrong parity'}`;
+  const holes = tracks.length === 0 ? 'no hole' : `${tracks.length === 1 ? 'track' : 'tracks'} ${tracks.join(' ')}`;
+  const parts = [`Row ${whole(row + 1)} of ${whole(rows)}`, block ?? '', name, holes, parity ? '' : 'wrong parity'];
+  return parts.filter((part) => part !== '').join(' · ');
+}
+
+/**
+ * The same for the ear: "Row 152, block N006, character G, holes in tracks 1, 2, 3 and 7".
+ * @param {number} row
+ * @param {number} rows
+ * @param {string | null} block
+ * @param {import('nctape').RowMeaning} meaning
+ */
+function spokenRow(row, rows, block, { name, tracks, parity }) {
+  const holes =
+    tracks.length === 0 ? 'no hole' : `${tracks.length === 1 ? 'a hole in track' : 'holes in tracks'} ${listed(tracks)}`;
+  const parts = [`Row ${row + 1} of ${rows}`, block === null ? '' : `block ${block}`, `character ${name}`, holes, parity ? '' : 'wrong parity'];
+  return parts.filter((part) => part !== '').join(', ');
 }
 
 /**

@@ -83,14 +83,14 @@ export class Windows {
   }
 
   /**
-   * The blocks that begin in these rows.
+   * The blocks of these rows, and maybe some before; the first may begin earlier.
    * @param {number} first
    * @param {number} last
    */
   *names(first, last) {
     for (let index = Math.floor(Math.max(0, first) / WINDOW); index * WINDOW <= last; index += 1) {
       for (const name of this.kept.get(index)?.names ?? []) {
-        if (first <= name.row && name.row <= last) yield name;
+        if (name.row <= last) yield name;
       }
     }
   }
