@@ -1,0 +1,210 @@
+//! The rule pages: each is the documentation of a rule and its test.
+//!
+//! A page `tests/rules/<id>.md` states formats (` ```json format `) and, behind them, whole tapes: ` ```tape bad `, in
+//! which a line of carets marks what the rule must find, and ` ```tape good `. ` ```tape bad open ` is a tape whose
+//! last line has no line end. Formats stand for all tapes that follow, up to the next format behind a tape. A rule on
+//! the format itself has ` ```json bad PATH "text at fault" ` and ` ```json good ` instead.
+//!
+//! `cargo test -p nctape --test rules -- number` runs one family.
+
+#[path = "support/page.rs"]
+mod page;
+
+use nctape::format::{FormatDiagnostic, explain, value::Value};
+use nctape::rules::{ALL, Rule};
+use nctape::{Diagnostic, Format, Severity, Standard, Tape};
+use page::{FormatExample, Page, TapeExample};
+use std::collections::BTreeSet;
+
+macro_rules! families {
+    ($($test:ident: $family:literal),+ $(,)?) => {
+        const FAMILIES: &[&str] = &[$($family),+];
+        $(#[test] fn $test() { check_family($family); })+
+    };
+}
+
+families! {
+    tape: "TAPE", control: "CTRL", skip: "SKIP", sequence: "SEQ", word: "WORD", tab: "TAB", number: "NUM",
+    function: "FUN", motion: "MOT", feed: "FEED", compensation: "COMP", format: "SPEC",
+}
+
+#[test]
+fn every_rule_has_a_page_and_every_page_a_rule() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/rules");
+    let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
+    let pages: BTreeSet<String> = files.map(|name| name.trim_end_matches(".md").to_owned()).collect();
+    let rules: BTreeSet<String> = ALL.iter().map(|rule| rule.id().to_owned()).collect();
+    assert_eq!(pages, rules);
+}
+
+#[test]
+fn ids_and_names_are_unique_and_of_a_known_family() {
+    let (mut ids, mut names) = (BTreeSet::new(), BTreeSet::new());
+    for rule in ALL {
+        for id in rule.aliases().into_iter().chain([rule.id()]) {
+            assert!(ids.insert(id), "{id} is the id of two rules");
+        }
+        assert!(names.insert(rule.name), "{} is the name of two rules", rule.name);
+        assert!(FAMILIES.contains(&rule.family()), "{} is of no family that is tested", rule.id());
+    }
+}
+
+fn check_family(family: &str) {
+    let mut faults = Vec::new();
+    for rule in ALL.iter().filter(|rule| rule.family() == family) {
+        let say = |fault: String| faults.push(format!("{}.md, {fault}", rule.id()));
+        check_page(rule).into_iter().for_each(say);
+    }
+    assert!(faults.is_empty(), "\n\n{}\n", faults.join("\n\n"));
+}
+
+/// What is wrong with a page, or with its rule.
+fn check_page(rule: &'static Rule) -> Vec<String> {
+    let page = match Page::read(rule.page) {
+        Ok(page) => page,
+        Err(fault) => return vec![fault],
+    };
+    let mut faults = Vec::new();
+    let title = format!("{} {}", rule.id(), rule.name);
+    if page.title != title {
+        faults.push(format!("line 1: the title is {:?} and should be {title:?}", page.title));
+    }
+    if !rule.page.contains("\n## Why a control objects\n") {
+        faults.push("there is no heading \"## Why a control objects\"".to_owned());
+    }
+    for (standard, word, _) in Standard::ALL.iter().filter(|choice| rule.verdicts.under(choice.0).is_some()) {
+        let tape = |bad| page.tapes.iter().any(|tape| tape.bad == bad && tape.is_under(*standard));
+        let format = |bad| page.formats.iter().any(|it| it.fault.is_some() == bad && it.format.standard == *standard);
+        if !(tape(true) && tape(false) || format(true) && format(false)) {
+            faults.push(format!("there is no bad and good example for {word}"));
+        }
+    }
+    for tape in &page.tapes {
+        for under in &tape.formats {
+            let place = format!("line {}, under the format of line {}", tape.line, under.line);
+            faults.extend(check_tape(rule, tape, under).into_iter().map(|fault| format!("{place}: {fault}")));
+        }
+    }
+    for example in &page.formats {
+        faults.extend(check_format(rule, example).into_iter().map(|fault| format!("line {}: {fault}", example.line)));
+    }
+    faults
+}
+
+impl TapeExample {
+    fn is_under(&self, standard: Standard) -> bool {
+        self.formats.iter().any(|example| example.format.standard == standard)
+    }
+}
+
+fn check_tape(rule: &'static Rule, example: &TapeExample, under: &FormatExample) -> Vec<String> {
+    let mut faults: Vec<String> = judge(under)
+        .iter()
+        .filter(|found| weighs(&found.diagnostic))
+        .map(|found| told_of_format(found, under))
+        .collect();
+    let tape = Tape::new(&example.text, &under.format);
+    let (own, others): (Vec<_>, Vec<_>) = tape.diagnostics().iter().partition(|found| found.rule.name == rule.name);
+    faults.extend(others.iter().filter(|found| weighs(found)).map(|found| told(found, &example.text)));
+    if !example.bad || own.len() != example.marks.len() {
+        faults.extend(own.iter().map(|found| told(found, &example.text)));
+        if example.bad {
+            faults.push(format!("the rule is found {} times, {} places are marked", own.len(), example.marks.len()));
+        }
+        return faults;
+    }
+    let verdict = rule.verdicts.under(under.format.standard);
+    for (found, mark) in own.iter().zip(&example.marks) {
+        // Where a finding runs over the line end, carets cannot follow it: its start is enough.
+        let ends = found.range.end == mark.range.end || found.range.end > mark.line_end;
+        if found.range.start != mark.range.start || !ends {
+            faults.push(format!(
+                "{:?} is marked, but {}",
+                &example.text[mark.range.clone()],
+                told(found, &example.text)
+            ));
+        }
+        if verdict.is_none_or(|verdict| (verdict.id, verdict.severity) != (found.id, found.severity)) {
+            faults.push(format!("the verdict is {verdict:?}, but {}", told(found, &example.text)));
+        }
+        for fix in &found.fixes {
+            let (text, format) = fixed(fix, &example.text, &under.format);
+            let after = Tape::new(&text, &format);
+            let weight = |tape: &Tape| -> usize {
+                tape.diagnostics().iter().filter(|found| found.rule.name == rule.name).map(|found| found.count).sum()
+            };
+            let new = after.diagnostics().iter().filter(|found| weighs(found) && found.rule.name != rule.name);
+            if weight(&after) >= weight(&tape) {
+                faults.push(format!("the fix {:?} does not remove the finding; it gives {text:?}", fix.title));
+            }
+            faults.extend(new.map(|found| format!("the fix {:?} leads to {}", fix.title, told(found, &text))));
+        }
+    }
+    faults
+}
+
+fn check_format(rule: &'static Rule, example: &FormatExample) -> Vec<String> {
+    let found = judge(example);
+    let (own, others): (Vec<_>, Vec<_>) = found.iter().partition(|found| found.diagnostic.rule.name == rule.name);
+    let mut faults: Vec<String> =
+        others.iter().filter(|found| weighs(&found.diagnostic)).map(|found| told_of_format(found, example)).collect();
+    let (Some((path, marked)), [only]) = (&example.fault, &own[..]) else {
+        faults.extend(own.iter().map(|found| told_of_format(found, example)));
+        if example.fault.is_some() {
+            faults.push(format!("the rule is found {} times", own.len()));
+        }
+        return faults;
+    };
+    if (&only.path, text_at_fault(only, example)) != (path, marked.as_str()) {
+        faults.push(format!("{path} {marked:?} is marked, but {}", told_of_format(only, example)));
+    }
+    let verdict = rule.verdicts.under(example.format.standard);
+    if verdict.is_none_or(|verdict| (verdict.id, verdict.severity) != (only.diagnostic.id, only.diagnostic.severity)) {
+        faults.push(format!("the verdict is {verdict:?}, but {}", told_of_format(only, example)));
+    }
+    for fix in &only.diagnostic.fixes {
+        let (_, format) = fixed(fix, "", &example.format);
+        let left = explain(&format).diagnostics;
+        if left.iter().any(|found| found.diagnostic.rule.name == rule.name || weighs(&found.diagnostic)) {
+            faults.push(format!("the fix {:?} does not mend the format; it gives {format:?}", fix.title));
+        }
+    }
+    faults
+}
+
+/// All that is found in a format, while reading it and after.
+fn judge(example: &FormatExample) -> Vec<FormatDiagnostic> {
+    example.problems.iter().cloned().chain(explain(&example.format).diagnostics).collect()
+}
+
+/// A tape and its format after a fix.
+fn fixed(fix: &nctape::diagnostic::Fix, text: &str, format: &Format) -> (String, Format) {
+    let mut text = text.to_owned();
+    for edit in fix.edits.iter().rev() {
+        text.replace_range(edit.range.clone(), &edit.insert);
+    }
+    (text, fix.format.as_deref().unwrap_or(format).clone())
+}
+
+fn weighs(found: &Diagnostic) -> bool {
+    found.severity >= Severity::Warning
+}
+
+fn told(found: &Diagnostic, text: &str) -> String {
+    let line = text[..found.range.start].matches('\n').count() + 1;
+    let at = &text[found.range.clone()];
+    format!("{} ({}) is found at {at:?} in line {line} of the tape: {}", found.id, found.severity.name(), found.message)
+}
+
+fn told_of_format(found: &FormatDiagnostic, example: &FormatExample) -> String {
+    let (path, at, found) = (&found.path, text_at_fault(found, example), &found.diagnostic);
+    format!("{} ({}) is found at {at:?} in {path} of the format: {}", found.id, found.severity.name(), found.message)
+}
+
+/// The part of a field's text that a finding speaks of; empty where the field is no text.
+fn text_at_fault<'a>(found: &FormatDiagnostic, example: &'a FormatExample) -> &'a str {
+    match found.path.split('.').try_fold(&example.value, |value, field| value.get(field)) {
+        Some(Value::Text(text)) => text.get(found.diagnostic.range.clone()).unwrap_or(""),
+        _ => "",
+    }
+}
