@@ -79,7 +79,8 @@ fn the_parabolic_tape_of_annex_e() {
 #[wasm_bindgen_test]
 fn figure_2s_reading_of_annex_e_names_the_one_that_fits_and_offers_it() {
     let preset = preset("annex-e-circular");
-    Reflect::delete_property(get(&preset, "format.itemized").unchecked_ref(), &"arcCentre".into()).expect("an object");
+    Reflect::delete_property(get(&preset, "format.itemized").unchecked_ref::<Object>(), &"arcCentre".into())
+        .expect("an object");
     let report = check(&preset);
     assert_eq!(rules_of(&report, "error"), ["MOT-05"; 3]);
 
@@ -161,7 +162,8 @@ fn points_are_flat_arrays_and_end_on_the_programmed_point() {
 fn a_live_tape_answers_edits_like_a_fresh_check() {
     let preset = preset("annex-e-circular");
     let source = text(&preset, "source");
-    let mut tape = api::Tape::new(&get(&preset, "source"), &get(&preset, "format"), &JsValue::UNDEFINED).expect("a tape");
+    let mut tape =
+        api::Tape::new(&get(&preset, "source"), &get(&preset, "format"), &JsValue::UNDEFINED).expect("a tape");
     let at = source.find("F0042").expect("the word") as u32;
     assert_eq!(tape.edit(at, at + 5, "F0000"), 1);
     let summary = tape.summary();
@@ -171,4 +173,114 @@ fn a_live_tape_answers_edits_like_a_fresh_check() {
     assert!(found.iter().any(|found| text(found, "rule") == "FEED-13"));
     let block = tape.block(tape.block_at(at) as u32);
     assert_eq!(text(&block, "sequence"), "N003");
+}
+
+/// Letters, digits, signs, line ends, comments and rubbish, in the mixture that a spoiled tape has. The generator is
+/// xorshift64 (Marsaglia, 2003): the same texts in every run.
+struct Rubbish(u64);
+
+impl Rubbish {
+    fn next(&mut self, below: usize) -> usize {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as usize % below
+    }
+
+    fn text(&mut self) -> String {
+        const PIECES: [&str; 40] = [
+            "N001",
+            "G01",
+            "G02",
+            "G03",
+            "G06",
+            "G90",
+            "G91",
+            "G18",
+            "X+010000",
+            "Y-005000",
+            "Z+1",
+            "I+014142",
+            "J-014142",
+            "K+000001",
+            "F0300",
+            "M02",
+            "M30",
+            "S1",
+            "T99",
+            "\n",
+            "\r\n",
+            "\r",
+            "*",
+            "*\n",
+            "(",
+            ")",
+            "%",
+            "/",
+            ":",
+            "\t",
+            " ",
+            ".",
+            "+",
+            "-",
+            "\u{0}",
+            "\u{7F}",
+            "\u{2212}",
+            "\u{1F600}",
+            "\u{FEFF}",
+            "99999999999999999999",
+        ];
+        (0..self.next(120)).map(|_| PIECES[self.next(PIECES.len())]).collect()
+    }
+}
+
+#[wasm_bindgen_test]
+fn no_text_and_no_format_makes_any_function_fail() {
+    let mut rubbish = Rubbish(0x2539_1058_0274);
+    let formats: Vec<JsValue> = Array::from(&api::presets()).iter().map(|preset| get(&preset, "format")).collect();
+    for round in 0..300 {
+        let source = rubbish.text();
+        let units = source.encode_utf16().count() as f64;
+        let format: JsValue = Object::assign(&Object::new(), formats[round % formats.len()].unchecked_ref()).into();
+        if round % 3 == 0 {
+            for field in ["detail", "classification"] {
+                Reflect::set(&format, &field.into(), &rubbish.text().into()).expect("an object");
+            }
+        }
+        let inside = |found: &JsValue, end: f64| {
+            let (from, to) = (number(found, "from"), number(found, "to"));
+            assert!(0.0 <= from && from <= to && to <= end, "{from}..{to} of {end} in {source:?}");
+        };
+        let js_source = JsValue::from(source.as_str());
+        let report = api::check(&js_source, &format, &JsValue::UNDEFINED).expect("no malformed argument");
+        for found in list(&report, "diagnostics") {
+            inside(&found, units);
+            if get(&found, "fixes").is_object() {
+                let edits = list(&found, "fixes").into_iter().map(|fix| get(&fix, "edits"));
+                edits.filter(JsValue::is_object).for_each(|edits| {
+                    Array::from(&edits).iter().for_each(|edit| inside(&edit, units));
+                });
+            }
+        }
+        list(&report, "blocks").iter().for_each(|block| inside(block, units));
+        let explained = api::explain_format(&format).expect("no malformed argument");
+        for found in list(&explained, "diagnostics") {
+            let field = get(&format, &text(&found, "path")).as_string().unwrap_or_default();
+            inside(&found, field.encode_utf16().count() as f64);
+        }
+        let rows = api::encode(&js_source, &format).expect("no malformed argument");
+        assert_eq!(rows.len() as f64, number(&report, "totals.rows"));
+        let points = api::points(&js_source, &format, &0.1.into()).expect("no malformed argument");
+        let xyz: Float64Array = get(&points, "xyz").unchecked_into();
+        assert!(xyz.to_vec().iter().all(|coordinate| coordinate.is_finite()));
+
+        let mut tape = api::Tape::new(&js_source, &format, &JsValue::UNDEFINED).expect("a tape");
+        let (from, to) = (rubbish.next(60) as u32, rubbish.next(120) as u32);
+        tape.edit(from, to, &rubbish.text());
+        let summary = tape.summary();
+        tape.rows(0, u32::MAX);
+        tape.path(&0.1.into()).expect("no malformed argument");
+        (0..number(&summary, "blocks") as u32).for_each(|index| drop(tape.block(index)));
+        (0..number(&summary, "spans") as u32).for_each(|index| drop(tape.span(index)));
+    }
 }

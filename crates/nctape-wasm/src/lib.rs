@@ -13,5 +13,10 @@ mod vocabulary;
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
+// Rust sees the same names as a script, so that the browser tests can call them.
+pub use functions::{check, columns, encode, explain_format, format_line, points, version};
+pub use live::Tape;
+pub use vocabulary::{code_table, format_fields, presets, rules, span_kinds, standards};
+
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("types.ts");

@@ -153,13 +153,13 @@ impl Span {
             Geometry::Line => {}
             Geometry::Arc(arc) => arc.extremes().for_each(|(axis, value)| take(axis, value)),
             Geometry::Parabola { tangent } => {
-                for axis in 0..3 {
+                for (axis, tangent) in tangent.into_iter().enumerate() {
                     let (start, end) = (self.start[axis], self.end[axis]);
                     // P'(t) = 0 at t = (P0 - PT) / (P0 - 2 PT + P2), where that lies between the ends.
-                    let t = (start - tangent[axis]) / (start - 2.0 * tangent[axis] + end);
+                    let t = (start - tangent) / (start - 2.0 * tangent + end);
                     if t > 0.0 && t < 1.0 {
                         let s = 1.0 - t;
-                        take(axis, s * s * start + 2.0 * s * t * tangent[axis] + t * t * end);
+                        take(axis, s * s * start + 2.0 * s * t * tangent + t * t * end);
                     }
                 }
             }
