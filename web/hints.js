@@ -16,11 +16,16 @@ export function makeHints() {
   function end() {
     remember('hints', 'done');
     card.hidden = true;
+    point(null);
+  }
+  /** @param {string | null} by  the view that the hint speaks of */
+  function point(by) {
+    for (const hint of HINTS) byId(hint.by, HTMLElement).classList.toggle('hinted', hint.by === by);
   }
   function show() {
     const { by, words } = HINTS[at];
     const last = at === HINTS.length - 1;
-    card.dataset.by = by;
+    point(by);
     card.replaceChildren(
       el('p', null, words),
       el(

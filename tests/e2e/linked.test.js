@@ -1,7 +1,7 @@
 // One thing, four places: text, tape, problems and path show the same.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { difference, goToLine, lines, paste, pixels, quiet, startBrowser, visit } from './support/playground.js';
+import { difference, goToLine, pasteFaulty, pixels, quiet, startBrowser, visit } from './support/playground.js';
 
 /** @type {import('./support/playground.js').Started} */
 let started;
@@ -94,8 +94,7 @@ test('a press on the path puts the cursor into its block', async () => {
 
 test('a problem pressed is selected in the text and lit on the tape', async () => {
   const { page, leave } = await visit(started);
-  const faulty = (await lines(page)).map((line) => line.replace('Y-028284', 'Y-28284')).join('\n');
-  await paste(page, faulty);
+  await pasteFaulty(page, { 'Y-028284': 'Y-28284' });
   await page.locator('.problem').first().click();
   await quiet(page);
   assert.match(await litLine(page), /^N010/);
@@ -107,8 +106,7 @@ test('a problem pressed is selected in the text and lit on the tape', async () =
 
 test('F8 goes from problem to problem', async () => {
   const { page, leave } = await visit(started);
-  const faulty = (await lines(page)).map((line) => line.replace('Y-028284', 'Y-28284').replace('Y+018284', 'Y+18284')).join('\n');
-  await paste(page, faulty);
+  await pasteFaulty(page, { 'Y-028284': 'Y-28284', 'Y+018284': 'Y+18284' });
   await page.keyboard.press('Control+Home');
   await page.keyboard.press('F8');
   await quiet(page);

@@ -1,7 +1,7 @@
 // On a telephone: the tape on top, then three tabs.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { lines, NARROW, paste, quiet, startBrowser, visit } from './support/playground.js';
+import { NARROW, pasteFaulty, quiet, startBrowser, visit } from './support/playground.js';
 
 /** @type {import('./support/playground.js').Started} */
 let started;
@@ -27,7 +27,7 @@ test('the tabs show one view at a time, under the tape', async () => {
 
 test('the count of problems stands on its tab, and a problem leads to its place', async () => {
   const { page, leave } = await visit(started, { options });
-  await paste(page, (await lines(page)).map((line) => line.replace('Y-028284', 'Y-28284')).join('\n'));
+  await pasteFaulty(page, { 'Y-028284': 'Y-28284' });
   assert.equal(await page.locator('#tab-count').innerText(), '1');
   await page.getByRole('tab', { name: 'Problems' }).tap();
   await page.locator('.problem').first().tap();
@@ -39,7 +39,7 @@ test('the count of problems stands on its tab, and a problem leads to its place'
 
 test('nothing is wider than the screen, and every target is large enough for a finger', async () => {
   const { page, leave } = await visit(started, { options });
-  await paste(page, (await lines(page)).map((line) => line.replace('Y-028284', 'Y-28284')).join('\n'));
+  await pasteFaulty(page, { 'Y-028284': 'Y-28284' });
   for (const tab of ['Program', 'Path', 'Problems']) {
     await page.getByRole('tab', { name: tab }).tap();
     const small = await page.evaluate(() => {

@@ -48,8 +48,8 @@ export function makeFormatPanel({ store, engine, change }) {
   async function open() {
     panel.hidden = false;
     opener.setAttribute('aria-expanded', 'true');
+    panel.focus();
     await show();
-    standard.focus();
   }
   function close() {
     panel.hidden = true;

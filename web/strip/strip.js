@@ -212,15 +212,22 @@ export function makeStrip({ store, engine, kinds, onRow }) {
 }
 
 /**
+ * A character is called by itself, and one that is not printed by its name.
+ * @param {string} label
+ * @param {string} name
+ */
+const called = (label, name) => (label.length === 1 ? label : name);
+
+/**
  * "Row 152 of 358 · N006 · G · tracks 1 2 3 7"
  * @param {number} row
  * @param {number} rows
  * @param {string | null} block
  * @param {import('nctape').RowMeaning} meaning
  */
-function rowWords(row, rows, block, { name, tracks, parity }) {
+function rowWords(row, rows, block, { label, name, tracks, parity }) {
   const holes = tracks.length === 0 ? 'no hole' : `${tracks.length === 1 ? 'track' : 'tracks'} ${tracks.join(' ')}`;
-  const parts = [`Row ${whole(row + 1)} of ${whole(rows)}`, block ?? '', name, holes, parity ? '' : 'wrong parity'];
+  const parts = [`Row ${whole(row + 1)} of ${whole(rows)}`, block ?? '', called(label, name), holes, parity ? '' : 'wrong parity'];
   return parts.filter((part) => part !== '').join(' · ');
 }
 
@@ -231,10 +238,10 @@ function rowWords(row, rows, block, { name, tracks, parity }) {
  * @param {string | null} block
  * @param {import('nctape').RowMeaning} meaning
  */
-function spokenRow(row, rows, block, { name, tracks, parity }) {
+function spokenRow(row, rows, block, { label, name, tracks, parity }) {
   const holes =
     tracks.length === 0 ? 'no hole' : `${tracks.length === 1 ? 'a hole in track' : 'holes in tracks'} ${listed(tracks)}`;
-  const parts = [`Row ${row + 1} of ${rows}`, block === null ? '' : `block ${block}`, `character ${name}`, holes, parity ? '' : 'wrong parity'];
+  const parts = [`Row ${row + 1} of ${rows}`, block === null ? '' : `block ${block}`, `character ${called(label, name)}`, holes, parity ? '' : 'wrong parity'];
   return parts.filter((part) => part !== '').join(', ');
 }
 

@@ -124,6 +124,17 @@ export async function paste(page, text) {
 export const lines = (page) => page.locator('.cm-line').allTextContents();
 
 /**
+ * The first tape with faults put into it; its one note, on a minus zero, is taken out.
+ * @param {Page} page
+ * @param {Record<string, string>} [faults]  what stands in the text, and what is put in its place
+ */
+export async function pasteFaulty(page, faults = {}) {
+  let text = (await lines(page)).join('\n').replace('I-000000', 'I+000000');
+  for (const [good, bad] of Object.entries(faults)) text = text.replace(good, bad);
+  await paste(page, text);
+}
+
+/**
  * Puts the cursor into a line of the program.
  * @param {Page} page
  * @param {string} start  how the line begins
