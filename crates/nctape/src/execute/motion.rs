@@ -53,7 +53,13 @@ impl State<'_> {
     /// Notes where more axes move than the control moves at once (C.2.3).
     fn count_axes(&mut self, motion: Motion) {
         let Some(allowed) = self.control.simultaneous() else { return };
-        let axes = (0..self.target.len()).filter(|&axis| self.target[axis] != self.position[axis]);
+        // An arc that leaves its plane is a fault of its own.
+        let out_of_plane = match motion {
+            Motion::Circle { .. } if !self.control.helix => Some(self.plane.axes()[2]),
+            _ => None,
+        };
+        let moves = |axis: &usize| self.target[*axis] != self.position[*axis] && Some(*axis) != out_of_plane;
+        let axes = (0..self.target.len()).filter(moves);
         let moving: String = axes.map(|axis| self.control.axes[axis].letter).collect();
         if moving.chars().count() > usize::from(allowed) {
             let positioning = motion == Motion::Rapid || self.control.standard() == Standard::Iso1058;
@@ -87,15 +93,11 @@ impl State<'_> {
             return;
         }
         let [first, second, third] = self.plane.axes();
-        let mut flat = true;
-        if let Some(parameter) = self.parameters[third] {
-            self.note(EventKind::OutOfPlane { word: parameter.place });
-        }
-        if self.target[third] != start[third] && !self.control.helix {
-            if let Some(word) = self.words[third] {
-                self.note(EventKind::OutOfPlane { word });
-            }
-            flat = false;
+        let moved = self.words[third].filter(|_| self.target[third] != start[third] && !self.control.helix);
+        let given = self.parameters[third].map(|parameter| parameter.place);
+        // Said once, at the first of them; that the rest of the arc does not fit either follows from it.
+        if let Some(word) = moved.or(given) {
+            self.note(EventKind::OutOfPlane { word });
         }
         let block = self.arc_block(clockwise, &start);
         if block.start == block.end && self.control.format.itemized.full_circle == Some(false) {
@@ -103,7 +105,7 @@ impl State<'_> {
             return;
         }
         match self.solve(&block, [first, second]) {
-            Ok(arc) if flat => {
+            Ok(arc) if moved.is_none() => {
                 if block.start == block.end && self.control.format.itemized.full_circle.is_none() {
                     self.note(EventKind::FullCircle);
                 }
@@ -111,7 +113,9 @@ impl State<'_> {
             }
             Ok(_) => self.substitute(&start, self.block),
             Err(fault) => {
-                self.note(EventKind::Arc(fault));
+                if moved.or(given).is_none() {
+                    self.note(EventKind::Arc(fault));
+                }
                 self.substitute(&start, self.block);
             }
         }
@@ -386,6 +390,8 @@ impl State<'_> {
                 Some(if self.control.arc_feed == ArcFeed::Time { by_time } else { by_radians })
             }
             Feed::Unknown => None,
+            // The feed of a thread is its lead, I, J or K.
+            _ if self.motion == Some(Motion::Line { thread: true }) => None,
             _ => {
                 self.note(EventKind::NoFeed);
                 None

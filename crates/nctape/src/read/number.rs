@@ -61,6 +61,8 @@ impl Number {
         if self.fault != NumberFault::None || self.digits == 0 || self.digits > MOST_DIGITS {
             return None;
         }
+        // A code is neither positive nor negative: the sign of such a word is reported (NUM-14), and its number holds.
+        let signed = designation.is_none_or(|word| word.dimension);
         let magnitude = match designation {
             Some(word) if word.dimension => {
                 let width = u16::from(word.width());
@@ -75,7 +77,7 @@ impl Number {
             }
             _ => self.magnitude,
         };
-        Some(if self.sign == Some(b'-') { -magnitude } else { magnitude })
+        Some(if signed && self.sign == Some(b'-') { -magnitude } else { magnitude })
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::execute::Execution;
 use crate::format::Control;
 use crate::read::{Block, Reading, Word};
+use crate::text::{Listing, Mark};
 use std::ops::Range;
 
 /// A tape that was read and executed.
@@ -17,6 +18,11 @@ impl TapeView<'_> {
     /// All words with their blocks.
     pub(crate) fn words(&self) -> impl Iterator<Item = (&Block, &Word)> {
         self.reading.blocks.iter().flat_map(|block| self.reading.words(block).iter().map(move |word| (block, word)))
+    }
+
+    /// The text ends in a comment that nothing closes.
+    pub(crate) fn ends_in_comment(&self) -> bool {
+        Listing::new(self.text).last().is_some_and(|last| last.comment || last.mark == Mark::Character('('))
     }
 
     /// Where a word stands in the text.
@@ -47,6 +53,13 @@ impl TapeView<'_> {
                 self.range(block, first).start..self.range(block, last).end
             }
         }
+    }
+
+    /// The word of a block that gives a function; the whole block where none does.
+    pub(crate) fn function(&self, index: usize, address: u8, code: u8) -> Range<usize> {
+        let block = &self.reading.blocks[index];
+        let word = self.reading.words(block).iter().find(|word| word.function(address) == Some(code));
+        word.map_or_else(|| self.extent(index), |word| self.range(block, word))
     }
 
     /// The blocks with a sequence number that can be told, and it.

@@ -1,4 +1,4 @@
-//! COMP-01: p, Q and R are no unit vector.
+//! COMP-01: P, Q and R are no unit vector.
 
 use crate::format::power_of_ten;
 use crate::rules::prelude::*;

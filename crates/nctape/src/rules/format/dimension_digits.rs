@@ -12,9 +12,10 @@ pub static RULE: Rule = Rule {
     page: page!("SPEC-13"),
 };
 
-pub(crate) fn check(detail: &Detail, _: &Control, sink: &mut Sink<'_>) {
+pub(crate) fn check(detail: &Detail, control: &Control, sink: &mut Sink<'_>) {
     for word in &detail.words {
         if crate::format::DIMENSION_LETTERS.contains(word.address)
+            && !is_declared_letter(word.address, control)
             && (word.digits.len() > 3
                 || word.digits.is_empty()
                 || word.digits.len() == 1 && !"ABCDE".contains(word.address))

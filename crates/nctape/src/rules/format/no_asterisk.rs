@@ -12,10 +12,14 @@ pub static RULE: Rule = Rule {
     page: page!("SPEC-11"),
 };
 
-pub(crate) fn check(detail: &Detail, _: &Control, sink: &mut Sink<'_>) {
+pub(crate) fn check(detail: &Detail, control: &Control, sink: &mut Sink<'_>) {
     if detail.end.is_none() {
         let at = detail.length;
         sink.report(&RULE, at..at, "The detail ends with an asterisk, which stands for the end of block.".to_owned())
-            .fix(|| Fix::replace("Put an asterisk at the end", at..at, "*"));
+            .fix(|| {
+                let mut format = control.format.clone();
+                format.detail.push('*');
+                Fix::reformat("Put an asterisk at the end", format)
+            });
     }
 }

@@ -1,4 +1,4 @@
-//! SPEC-21: i, J or K stands undeclared in an ISO 1058 detail.
+//! SPEC-21: I, J or K stands undeclared in an ISO 1058 detail.
 
 use crate::format::Detail;
 use crate::rules::is_declared_letter;

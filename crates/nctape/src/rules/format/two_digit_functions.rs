@@ -1,4 +1,4 @@
-//! SPEC-18: g and M have two digits.
+//! SPEC-18: G and M have two digits.
 
 use crate::format::Detail;
 use crate::rules::prelude::*;

@@ -1,4 +1,4 @@
-//! SPEC-20: h, L or O stands in the detail.
+//! SPEC-20: H, L or O stands in the detail.
 
 use crate::format::Detail;
 use crate::rules::is_declared_letter;

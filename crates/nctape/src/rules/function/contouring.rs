@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(word: &Word, _: &BlockView<'_>, sink: &mut Sink<'_>) {
-    if let Some(code @ (2 | 3 | 6)) = word.function(b'G') {
+    if let (Some(code @ (2 | 3 | 6)), 2) = (word.function(b'G'), word.digits) {
         let message = format!(
             "G{code:02} contours; ISO 1058 is for positioning and cutting parallel to the axes. A contouring control \
              follows ISO 2539."

@@ -1,4 +1,4 @@
-//! FUN-03: g90 and G91 stand only where the detail has L.
+//! FUN-03: G90 and G91 stand only where the detail has L.
 
 use crate::format::Sign;
 use crate::rules::prelude::*;

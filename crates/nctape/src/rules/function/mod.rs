@@ -10,8 +10,11 @@ pub(crate) mod unassigned_preparatory;
 
 use crate::format::Control;
 
-/// The itemized data gives the function a meaning.
+/// The itemized data gives the function a meaning, or the detail lacks its address, which is the fault then.
 fn is_declared(letter: char, code: u8, control: &Control) -> bool {
+    if control.designation(letter as u8).is_none() {
+        return true;
+    }
     let stated = &control.format.itemized;
     let name = format!("{letter}{code:02}");
     let declared = stated.declared.as_ref().map(|declared| if letter == 'G' { &declared.g } else { &declared.m });

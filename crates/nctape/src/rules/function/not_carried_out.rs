@@ -41,6 +41,10 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
                  stand-in, its time is not known."
             ),
         };
-        sink.report(&RULE, tape.extent(block), message).count(count);
+        let range = match limit {
+            Limit::Function(code) => tape.function(block, b'G', code),
+            Limit::Parameters(_) => tape.parameters(block),
+        };
+        sink.report(&RULE, range, message).count(count);
     }
 }

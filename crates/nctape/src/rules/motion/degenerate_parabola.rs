@@ -7,7 +7,7 @@ use crate::rules::prelude::*;
 pub static RULE: Rule = Rule {
     name: "degenerate-parabola",
     title: "A parabola has no bend.",
-    verdicts: Verdicts::all("MOT-13", Severity::Error),
+    verdicts: Verdicts::contouring("MOT-13", Severity::Error),
     clauses: &[Clause::Iso2539("4.2.3"), Clause::Iso2539("figure 3")],
     page: page!("MOT-13"),
 };

@@ -7,7 +7,7 @@ use crate::rules::prelude::*;
 pub static RULE: Rule = Rule {
     name: "full-circle-not-stated",
     title: "An arc ends where it starts.",
-    verdicts: Verdicts::all("MOT-11", Severity::Info),
+    verdicts: Verdicts::contouring("MOT-11", Severity::Info),
     clauses: &[Clause::Iso2539("4.2 note")],
     page: page!("MOT-11"),
 };
@@ -16,6 +16,12 @@ pub static RULE: Rule = Rule {
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     let mut found = tape.execution.events.iter().filter(|event| matches!(event.kind, EventKind::FullCircle));
     let Some(event) = found.next() else { return };
+    let state = |full: bool| {
+        let mut format = tape.control.format.clone();
+        format.itemized.full_circle = Some(full);
+        let title = if full { "State fullCircle: a full circle" } else { "State fullCircle: no motion" };
+        Fix::reformat(title, format)
+    };
     sink.report(
         &RULE,
         tape.extent(event.block),
@@ -23,5 +29,7 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
          in the itemized data."
             .to_owned(),
     )
-    .count(1 + found.count());
+    .count(1 + found.count())
+    .fix(|| state(true))
+    .fix(|| state(false));
 }

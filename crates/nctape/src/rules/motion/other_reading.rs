@@ -1,4 +1,4 @@
-//! MOT-05: i, J and K fit only by another reading.
+//! MOT-05: I, J and K fit only by another reading.
 
 use crate::diagnostic::Edit;
 use crate::execute::{ArcFault, Event, EventKind};
@@ -9,7 +9,7 @@ use crate::rules::prelude::*;
 pub static RULE: Rule = Rule {
     name: "centre-by-another-reading",
     title: "I, J and K fit only by another reading.",
-    verdicts: Verdicts::all("MOT-05", Severity::Error),
+    verdicts: Verdicts::contouring("MOT-05", Severity::Error),
     clauses: &[Clause::Iso2539("figure 2"), Clause::Iso2539("annex E")],
     page: page!("MOT-05"),
 };

@@ -7,7 +7,7 @@ use crate::rules::prelude::*;
 pub static RULE: Rule = Rule {
     name: "arc-runs-the-other-way",
     title: "A three-point arc runs the other way than its function says.",
-    verdicts: Verdicts::all("MOT-09", Severity::Warning),
+    verdicts: Verdicts::contouring("MOT-09", Severity::Warning),
     clauses: &[Clause::Iso2539("4.2.2.2 a")],
     page: page!("MOT-09"),
 };

@@ -7,7 +7,7 @@ use crate::rules::prelude::*;
 pub static RULE: Rule = Rule {
     name: "arc-out-of-plane",
     title: "An arc does not lie in a principal plane.",
-    verdicts: Verdicts::all("MOT-02", Severity::Error),
+    verdicts: Verdicts::contouring("MOT-02", Severity::Error),
     clauses: &[Clause::Iso2539("4.2.2")],
     page: page!("MOT-02"),
 };

@@ -7,7 +7,7 @@ use crate::rules::prelude::*;
 pub static RULE: Rule = Rule {
     name: "points-on-a-line",
     title: "The three points of an arc lie on a line.",
-    verdicts: Verdicts::all("MOT-08", Severity::Error),
+    verdicts: Verdicts::contouring("MOT-08", Severity::Error),
     clauses: &[Clause::Iso2539("4.2.2.2")],
     page: page!("MOT-08"),
 };

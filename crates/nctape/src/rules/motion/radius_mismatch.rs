@@ -7,7 +7,7 @@ use crate::rules::prelude::*;
 pub static RULE: Rule = Rule {
     name: "end-off-the-circle",
     title: "The end of an arc is off its circle.",
-    verdicts: Verdicts::all("MOT-04", Severity::Error),
+    verdicts: Verdicts::contouring("MOT-04", Severity::Error),
     clauses: &[Clause::Iso2539("figure 2")],
     page: page!("MOT-04"),
 };

@@ -7,7 +7,7 @@ use crate::rules::prelude::*;
 pub static RULE: Rule = Rule {
     name: "too-many-axes",
     title: "More axes move at once than the control can.",
-    verdicts: Verdicts::all("MOT-01", Severity::Error),
+    verdicts: Verdicts::contouring("MOT-01", Severity::Error).not_rs274().and_iso1058("MOT-01", Severity::Info),
     clauses: &[Clause::Both("C.2.3")],
     page: page!("MOT-01"),
 };

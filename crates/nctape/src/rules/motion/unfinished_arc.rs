@@ -7,7 +7,7 @@ use crate::rules::prelude::*;
 pub static RULE: Rule = Rule {
     name: "unfinished-arc",
     title: "An arc in two blocks lacks its second one.",
-    verdicts: Verdicts::all("MOT-07", Severity::Error),
+    verdicts: Verdicts::contouring("MOT-07", Severity::Error),
     clauses: &[Clause::Iso2539("4.2.2.2")],
     page: page!("MOT-07"),
 };

@@ -7,7 +7,7 @@ use crate::rules::prelude::*;
 pub static RULE: Rule = Rule {
     name: "unfinished-parabola",
     title: "A parabola lacks its last point.",
-    verdicts: Verdicts::all("MOT-12", Severity::Error),
+    verdicts: Verdicts::contouring("MOT-12", Severity::Error),
     clauses: &[Clause::Iso2539("4.2.3.2")],
     page: page!("MOT-12"),
 };

@@ -8,7 +8,7 @@ use crate::rules::prelude::*;
 pub static RULE: Rule = Rule {
     name: "zero-radius",
     title: "The radius of an arc is zero.",
-    verdicts: Verdicts::all("MOT-06", Severity::Error),
+    verdicts: Verdicts::contouring("MOT-06", Severity::Error),
     clauses: &[Clause::Iso2539("4.2.2")],
     page: page!("MOT-06"),
 };

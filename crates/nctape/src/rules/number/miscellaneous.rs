@@ -12,7 +12,11 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
-    if word.address != b'M' || word.fault != NumberFault::None || word.digits == 2 {
+    if word.address != b'M'
+        || word.fault != NumberFault::None
+        || word.digits == 2
+        || block.control.designation(b'M').is_none()
+    {
         return;
     }
     let message = format!("M has {}; a miscellaneous function has exactly 2.", digits(word.digits));

@@ -12,7 +12,11 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
-    if word.address != b'G' || word.fault != NumberFault::None || word.digits == 2 {
+    if word.address != b'G'
+        || word.fault != NumberFault::None
+        || word.digits == 2
+        || block.control.designation(b'G').is_none()
+    {
         return;
     }
     let message = format!("G has {}; a preparatory function has exactly 2.", digits(word.digits));

@@ -16,11 +16,15 @@ pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let Some(designation) = block.control.designation(word.address).filter(|word| word.dimension) else { return };
     if let (Sign::Positive, Some(sign), NumberFault::None) = (designation.sign, word.sign, word.fault) {
         let message = format!(
-            "{} has the sign {}; this format has positive absolute dimensions only ({}). Leave the sign out.",
+            "{} has the sign {}; in this format the dimension is always positive and has none ({}). Leave it out.",
             word.letter(),
             char::from(sign),
             designation.text()
         );
-        sink.report(&RULE, word.range(), message);
+        let reported = sink.report(&RULE, word.range(), message);
+        // What a minus was meant to say is not known.
+        if sign == b'+' {
+            reported.fix(|| super::leave_sign_out(word, block));
+        }
     }
 }

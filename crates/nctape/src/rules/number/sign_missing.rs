@@ -20,6 +20,6 @@ pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
             word.letter(),
             designation.text()
         );
-        sink.report(&RULE, word.range(), message);
+        sink.report(&RULE, word.range(), message).fix(|| super::write_plus(word, block));
     }
 }

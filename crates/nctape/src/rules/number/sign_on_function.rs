@@ -13,8 +13,8 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let dimension = block.control.designation(word.address).is_none_or(|designation| designation.dimension);
-    if word.sign.is_some() && (!dimension || word.is_sequence()) && word.fault != NumberFault::Empty {
+    if word.sign.is_some() && (!dimension || word.is_sequence()) && word.fault == NumberFault::None {
         let message = format!("{} is no dimension word and has no sign. Leave it out.", word.letter());
-        sink.report(&RULE, word.range(), message);
+        sink.report(&RULE, word.range(), message).fix(|| super::leave_sign_out(word, block));
     }
 }
