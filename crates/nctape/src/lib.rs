@@ -53,3 +53,8 @@ pub use diagnostic::{Diagnostic, Severity};
 pub use execute::Totals;
 pub use format::{Format, Standard};
 pub use tape::{ROW_PITCH_MILLIMETRES, Tape};
+
+/// The README, so that its Rust lines are compiled and run.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

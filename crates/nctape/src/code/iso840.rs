@@ -19,8 +19,21 @@ pub const CONTROLS: [(u8, &str, &str); 7] = [
 
 /// The row of an ASCII character: `None` outside the subset.
 pub(super) fn row(ascii: u8) -> Option<u8> {
-    let in_subset = GLYPHS.contains(&ascii) || CONTROLS.iter().any(|c| c.0 == ascii);
-    in_subset.then(|| with_parity(ascii))
+    const ROWS: [Option<u8>; 128] = {
+        let mut rows = [None; 128];
+        let mut index = 0;
+        while index < GLYPHS.len() {
+            rows[GLYPHS[index] as usize] = Some(with_parity(GLYPHS[index]));
+            index += 1;
+        }
+        index = 0;
+        while index < CONTROLS.len() {
+            rows[CONTROLS[index].0 as usize] = Some(with_parity(CONTROLS[index].0));
+            index += 1;
+        }
+        rows
+    };
+    ROWS.get(usize::from(ascii)).copied().flatten()
 }
 
 /// Label and name of a row.
@@ -36,7 +49,7 @@ pub(super) fn meaning(row: u8) -> Option<(String, &'static str)> {
 }
 
 /// Sets track 8 so that the number of holes is even.
-fn with_parity(ascii: u8) -> u8 {
+const fn with_parity(ascii: u8) -> u8 {
     ascii | ((ascii.count_ones() as u8 & 1) << 7)
 }
 

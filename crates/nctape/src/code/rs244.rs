@@ -73,7 +73,16 @@ pub const SHIFTS: [(u8, &str, &str); 2] = [(0x7C, "UC", "upper case shift"), (0x
 
 /// The row of an ASCII character: `None` if the code lacks it.
 pub(super) fn row(ascii: u8) -> Option<u8> {
-    ROWS.iter().find(|entry| entry.0 == ascii).map(|entry| entry.1)
+    const BY_ASCII: [Option<u8>; 128] = {
+        let mut rows = [None; 128];
+        let mut index = 0;
+        while index < ROWS.len() {
+            rows[ROWS[index].0 as usize] = Some(ROWS[index].1);
+            index += 1;
+        }
+        rows
+    };
+    BY_ASCII.get(usize::from(ascii)).copied().flatten()
 }
 
 /// Label and name of a row.

@@ -1,14 +1,14 @@
 //! Parabolas: as few chords with their ends on the curve as keep the tolerance.
 
-use crate::execute::parabola::Parabola;
-use crate::execute::parabola::norm;
+use crate::execute::parabola::{Parabola, cross, dot, norm};
 
 /// Gives the points between the ends.
 ///
-/// The chord of [t1, t2] is off the curve by exactly E = (t2 - t1)² k / (2 |B'((t1 + t2) / 2)|), with k = |A × D| and
-/// B'(t) = 2 (A + tD): the chord is parallel to the tangent at the middle parameter. So the longest step of h from t
-/// within the tolerance e solves h² k = 2 e |B'(t) + hD|, and greedy steps are the fewest. The tolerance is then
-/// narrowed until the last step is as full as the others, so that the points lie evenly.
+/// The line through the chord of [t1, t2] is off the curve by exactly E = (t2 - t1)² k / (2 |B'((t1 + t2) / 2)|), with
+/// k = |A × D| and B'(t) = 2 (A + tD): the chord is parallel to the tangent at the middle parameter. So the longest step
+/// of h from t within the tolerance e solves h² k = 2 e |B'(t) + hD|, and greedy steps are the fewest. Only at a sharp
+/// turn, where the curve runs beyond the ends of its chord, is a step shorter than that. The tolerance is then narrowed
+/// until the last step is as full as the others, so that the points lie evenly.
 pub(super) fn inner_points(
     start: [f64; 3],
     tangent: [f64; 3],
@@ -50,22 +50,51 @@ impl Flattening {
         2.0 * norm(std::array::from_fn(|i| self.a[i] + t * self.d[i]))
     }
 
-    /// The longest step from t within a tolerance: the root of h² k = 2 e |B'(t) + hD|, no longer than to the end.
-    ///
-    /// At h = 0 the right side is the larger; |B'(t) + hD| is |B'| at t + h/2.
+    /// The longest step from t within a tolerance: the root of h² k = 2 e |B'(t) + hD|, no longer than to the end, and
+    /// shorter where the curve would run too far beyond the ends of its chord.
     fn step(&self, t: f64, tolerance: f64) -> f64 {
-        let fits = |h: f64| h * h * self.k <= 2.0 * tolerance * self.speed(t + h / 2.0);
+        let fits = |h: f64| {
+            // |B'(t) + hD| is |B'| at t + h/2.
+            h * h * self.k <= 2.0 * tolerance * self.speed(t + h / 2.0) && self.overrun(t, h) <= tolerance
+        };
         let rest = 1.0 - t;
         if fits(rest) {
             return rest;
         }
+        // `low` always fits, so the tolerance is kept whatever shape the condition has. 52 halvings reach the last
+        // bit of h.
         let (mut low, mut high) = (0.0, rest);
-        // 52 halvings reach the last bit of h.
         for _ in 0..52 {
             let middle = (low + high) / 2.0;
             if fits(middle) { low = middle } else { high = middle }
         }
         low
+    }
+
+    /// How far, at most, the curve from t to t + h is from the ends of its chord where it runs beyond them.
+    ///
+    /// In the piece's own parameter s the point is 2s A' + s² D', with A' = h (A + tD) and D' = h² D. Along the chord
+    /// that is 2s a + s² d; it is behind the start up to s = -2a/d, at most by a²/d, and beside the chord by
+    /// 2s (1 - s) |A'⊥|. The end is the start of the same piece run backwards.
+    fn overrun(&self, t: f64, h: f64) -> f64 {
+        let first: [f64; 3] = std::array::from_fn(|i| h * (self.a[i] + t * self.d[i]));
+        let second = self.d.map(|component| h * h * component);
+        let chord: [f64; 3] = std::array::from_fn(|i| 2.0 * first[i] + second[i]);
+        let length = norm(chord);
+        if length == 0.0 {
+            return f64::INFINITY;
+        }
+        let last: [f64; 3] = std::array::from_fn(|i| -(first[i] + second[i]));
+        let (d, beside) = (dot(second, chord) / length, norm(cross(first, chord)) / length);
+        let behind = |a: f64, d: f64| {
+            if a >= 0.0 {
+                return 0.0;
+            }
+            let s = f64::min(-2.0 * a / d, 1.0);
+            libm::hypot(a * a / d, 2.0 * s * (1.0 - s) * beside)
+        };
+        let (start, end) = (dot(first, chord) / length, -dot(last, chord) / length);
+        f64::max(behind(start, d), behind(end, -d))
     }
 
     /// Greedy steps to the end, at most `most`.

@@ -68,10 +68,7 @@ fn clippy_wasm(workspace: &Workspace) -> Run {
 }
 
 fn native(workspace: &Workspace) -> Run {
-    tests(
-        rust::cargo(workspace).args(["test", "--workspace", "--exclude", "nctape-wasm"]).arg("--no-fail-fast"),
-        cargo_line,
-    )
+    tests(rust::cargo(workspace).args(["test", "--workspace"]).arg("--no-fail-fast"), cargo_line)
 }
 
 fn doc(workspace: &Workspace) -> Run {

@@ -1,0 +1,161 @@
+//! What holds for every text, every format and every span.
+
+use nctape::format::{ArcCentre, ArcFeed, ArcParameters, Dimensions, FeedCoding, Itemized, Plane, TapeCode, explain};
+use nctape::span::Geometry;
+use nctape::{Format, Standard, Tape};
+use proptest::prelude::*;
+use proptest::sample::select;
+
+/// Pieces of tapes and rubbish, in the mixture that a spoiled tape has.
+fn text() -> impl Strategy<Value = String> {
+    let piece = prop_oneof![
+        8 => select(vec![
+            "N001", "n2", ":010", "G00", "G01", "G02", "G03", "G06", "G17", "G18", "G19", "G90", "G91", "G92", "G93", "G95",
+            "G04", "G33", "G81", "G37", "X+010000", "X010000", "Y-005000", "Y5", "Z+001000", "I+014142", "J-014142",
+            "K+000001", "I0", "J0", "F0300", "F0", "S615", "T01", "M02", "M03", "M30", "X99999999999999999999", "H1", "O1",
+        ]).prop_map(str::to_owned),
+        3 => select(vec!["\n", "\r\n", "\r", "*", "*\n", "(", ")", "%", "/", "\t", " ", ".", "+", "-"]).prop_map(str::to_owned),
+        1 => "\\PC{0,6}",
+        1 => any::<char>().prop_map(String::from),
+    ];
+    prop::collection::vec(piece, 0..80).prop_map(|pieces| pieces.concat())
+}
+
+fn format() -> impl Strategy<Value = Format> {
+    let standard = select(vec![Standard::Iso2539, Standard::Iso1058, Standard::Rs274]);
+    let detail = prop_oneof![
+        4 => select(vec![
+            "N3.G2.XD33.YD33.ZD33.ID33.JD33.F4.M2*", "N3G2X+33Y+33Z+33I+33J+33K+33F4S3T2M2*", "N3G2XL042YL042IL033JL042F4M2*",
+            "N3.G2.X420.Y420.F2.M2*", "n3 g2 x+14 y+14 i+15 j+15 f21 m2*", "X99Y+99I99J99P+13Q+13R+13", "X+09Y+90Z00I+90F9",
+        ]).prop_map(str::to_owned),
+        1 => "\\PC{0,40}",
+        1 => "[NGXYZIJKFSTM.+DL*0-9 ]{0,40}",
+    ];
+    let classification =
+        prop_oneof![Just(None), "[CPL][ATS][MI][RD]? ?[0-9]{3}".prop_map(Some), "\\PC{0,12}".prop_map(Some),];
+    (standard, classification, detail, itemized()).prop_map(|(standard, classification, detail, itemized)| Format {
+        standard,
+        classification,
+        detail,
+        itemized,
+    })
+}
+
+fn itemized() -> impl Strategy<Value = Itemized> {
+    fn some<T: Copy + std::fmt::Debug + 'static>(
+        choices: &'static [(T, &str, &str)],
+    ) -> impl Strategy<Value = Option<T>> {
+        prop::option::of(select(choices).prop_map(|choice| choice.0))
+    }
+    let first = (
+        some(TapeCode::ALL),
+        some(Dimensions::ALL),
+        some(Plane::ALL),
+        some(ArcParameters::ALL),
+        some(ArcCentre::ALL),
+        some(FeedCoding::ALL),
+        some(ArcFeed::ALL),
+    );
+    let second = (prop::option::of(any::<bool>()), prop::option::of(any::<bool>()), prop::option::of(any::<bool>()));
+    (first, second).prop_map(|(first, (helix, full_circle, compensation))| {
+        let (code, dimensions, plane, arc_parameters, arc_centre, feed, arc_feed) = first;
+        Itemized {
+            code,
+            dimensions,
+            plane,
+            arc_parameters,
+            arc_centre,
+            feed,
+            arc_feed,
+            helix,
+            full_circle,
+            compensation,
+            ..Itemized::default()
+        }
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn any_text_under_any_format_gives_findings_inside_the_text(text in text(), format in format(), skip: bool) {
+        let tape = Tape::with_skip(&text, &format, skip);
+        for found in tape.diagnostics() {
+            prop_assert!(text.get(found.range.clone()).is_some(), "{} at {:?}", found.id, found.range);
+            prop_assert!(!found.message.is_empty() && found.count > 0);
+            for related in &found.related {
+                prop_assert!(text.get(related.range.clone()).is_some());
+            }
+            for edit in found.fixes.iter().flat_map(|fix| &fix.edits) {
+                prop_assert!(text.get(edit.range.clone()).is_some());
+            }
+        }
+        prop_assert!(tape.diagnostics().windows(2).all(|pair| pair[0].range.start <= pair[1].range.start));
+        let explanation = explain(&format);
+        for found in &explanation.diagnostics {
+            let field = match found.path.as_str() {
+                "classification" => format.classification.as_deref().unwrap_or(""),
+                _ => &format.detail,
+            };
+            prop_assert!(field.get(found.diagnostic.range.clone()).is_some(), "{:?}", found);
+        }
+    }
+
+    #[test]
+    fn blocks_words_and_rows_follow_the_text_in_order(text in text(), format in format()) {
+        let tape = Tape::new(&text, &format);
+        let reading = tape.reading();
+        prop_assert!(reading.blocks.windows(2).all(|pair| pair[0].range.end <= pair[1].range.start));
+        for (index, block) in reading.blocks.iter().enumerate() {
+            prop_assert_eq!(reading.block_at(block.range.start), Some(index));
+            let words = reading.words(block);
+            prop_assert!(words.windows(2).all(|pair| pair[0].range().end <= pair[1].range().start));
+            for word in words {
+                let range = reading.range(block, word);
+                prop_assert!(range.end <= block.range.end && text.get(range).is_some());
+            }
+            prop_assert!(tape.rows_of(block).end <= tape.rows().bytes.len());
+        }
+        let rows = tape.rows();
+        prop_assert_eq!(rows.bytes.len(), rows.offsets.len());
+        prop_assert!(rows.offsets.windows(2).all(|pair| pair[0] < pair[1]));
+    }
+
+    #[test]
+    fn spans_join_and_their_points_end_on_the_programmed_point(text in text(), format in format()) {
+        let tape = Tape::new(&text, &format);
+        let spans = tape.spans();
+        for (index, span) in spans.list.iter().enumerate() {
+            prop_assert!(span.length.is_finite() && span.length >= 0.0);
+            prop_assert!(span.feed.is_none_or(f64::is_finite) && span.seconds.is_none_or(f64::is_finite));
+            prop_assert!(spans.start(index) != spans.end(index) || matches!(span.geometry, Geometry::Arc(_)), "moves nothing");
+            prop_assert!(span.blocks.0 <= span.blocks.1 && span.blocks.1 < tape.reading().blocks.len());
+        }
+        let points = tape.points(0.1);
+        for (index, span) in spans.list.iter().enumerate() {
+            let own: Vec<usize> = (0..points.span.len()).filter(|&point| points.span[point] == index as u32).collect();
+            let at = |point: usize| &points.xyz[3 * point..3 * point + 3];
+            prop_assert_eq!(at(own[0]), &span.start[..]);
+            prop_assert_eq!(at(own[own.len() - 1]), &span.end[..]);
+        }
+    }
+
+    #[test]
+    fn an_edited_tape_equals_a_fresh_one(text in text(), insert in text(), format in format(), a: prop::sample::Index, b: prop::sample::Index) {
+        let boundaries: Vec<usize> = text.char_indices().map(|(at, _)| at).chain([text.len()]).collect();
+        let (a, b) = (boundaries[a.index(boundaries.len())], boundaries[b.index(boundaries.len())]);
+        let (from, to) = (a.min(b), a.max(b));
+        let mut tape = Tape::new(&text, &format);
+        tape.edit(from..to, &insert);
+        let fresh = Tape::new(&format!("{}{insert}{}", &text[..from], &text[to..]), &format);
+        prop_assert_eq!(format!("{tape:?}"), format!("{fresh:?}"));
+    }
+
+    #[test]
+    fn a_format_survives_being_written_and_read(format in format()) {
+        let (read, problems) = Format::read(&format.write()).expect("a format");
+        prop_assert_eq!(read, format);
+        prop_assert!(problems.is_empty());
+    }
+}
