@@ -1,4 +1,7 @@
 // The page's side of the worker: numbers requests, throws late replies away, restarts after a trap.
+//
+// One change is under way at a time. What changes meanwhile is put together and sent as one,
+// so that a long tape is never more than one change behind the typing.
 
 /** @typedef {import('./worker.js').Changes} Changes */
 /** @typedef {import('./worker.js').Facts} Facts */
@@ -9,6 +12,14 @@
 /**
  * @template {any[]} T
  * @typedef {T extends [any, ...infer R] ? R : never} Tail
+ */
+
+/**
+ * What was changed and is not sent yet.
+ * @typedef {object} Waiting
+ * @property {import('@codemirror/state').ChangeSet | null} changes
+ * @property {import('nctape').Format | null} format
+ * @property {number} offset
  */
 
 /**
@@ -23,7 +34,7 @@
 /**
  * @typedef {object} Pending
  * @property {{ id: number, about: 'change' | 'tape' | 'fact', name: string, args: any[] }} request
- * @property {number} edit  the number of changes sent before it, its own included
+ * @property {number} edit  the number of changes made before it, its own included
  * @property {(value: any) => void} resolve
  */
 
@@ -34,8 +45,12 @@ export class Engine {
     /** @type {Map<number, Pending>} */
     this.pending = new Map();
     this.lastId = 0;
-    /** How many changes have been sent. */
+    /** How many changes have been made. */
     this.edit = 0;
+    /** A change is sent and not answered. */
+    this.busy = false;
+    /** @type {Waiting | null} */
+    this.waiting = null;
     /** Deaths of the worker since the last change by the user. */
     this.traps = 0;
     /** This very tape makes the worker die: nothing is sent before it changes. */
@@ -80,34 +95,66 @@ export class Engine {
    * @returns {Promise<ReturnType<Questions[K]> | undefined>}
    */
   ask(name, ...args) {
-    if (this.down || !this.opened) return Promise.resolve(undefined);
+    if (this.down || !this.opened || this.waiting !== null) return Promise.resolve(undefined);
     return this.send('tape', name, args);
+  }
+
+  /** Sends the tape as it is now, in place of all that was sent before. */
+  open() {
+    this.opened = true;
+    this.down = false;
+    this.waiting = null;
+    this.edit += 1;
+    const { source, format, offset } = this.callbacks.current();
+    this.sendChange('open', source, format, offset);
   }
 
   /**
    * Changes the tape. The answer to the newest change goes to `onChange`.
+   * @param {Partial<Waiting> & { offset: number }} change
+   */
+  alter({ changes = null, format = null, offset }) {
+    this.traps = 0;
+    if (this.down || !this.opened) {
+      this.open();
+      return;
+    }
+    this.edit += 1;
+    const before = this.waiting?.changes ?? null;
+    this.waiting = {
+      changes: before === null || changes === null ? (changes ?? before) : before.compose(changes),
+      format: format ?? this.waiting?.format ?? null,
+      offset,
+    };
+    if (!this.busy) this.sendWaiting();
+  }
+
+  /** @private */
+  sendWaiting() {
+    if (this.waiting === null) return;
+    const { changes, format, offset } = this.waiting;
+    this.waiting = null;
+    /** @type {[number, number, string][]} */
+    const edits = [];
+    changes?.iterChanges((from, to, _from, _to, insert) => edits.push([from, to, insert.toString()]));
+    this.sendChange('alter', edits.reverse(), format, offset);
+  }
+
+  /**
+   * @private
    * @template {keyof Changes} K
    * @param {K} name
    * @param {Parameters<Changes[K]>} args
    */
-  change(name, ...args) {
-    if (this.down || (!this.opened && name !== 'open')) {
-      this.openCurrent();
-      return;
-    }
-    this.opened = true;
-    this.edit += 1;
-    if (name !== 'open') this.traps = 0;
-    this.send('change', name, args).then((change) => {
-      if (change !== undefined) this.callbacks.onChange(change);
-    });
-  }
-
-  /** @private */
-  openCurrent() {
-    this.down = false;
-    const { source, format, offset } = this.callbacks.current();
-    this.change('open', source, format, offset);
+  async sendChange(name, ...args) {
+    this.busy = true;
+    const { worker } = this;
+    /** @type {Change | undefined} */
+    const change = await this.send('change', name, args);
+    if (worker !== this.worker) return;
+    this.busy = false;
+    if (this.waiting !== null) this.sendWaiting();
+    else if (change !== undefined) this.callbacks.onChange(change);
   }
 
   /**
@@ -160,6 +207,8 @@ export class Engine {
       }
     }
     this.callbacks.onTrap(message, this.down);
-    if (!this.down) this.openCurrent();
+    this.busy = false;
+    this.waiting = null;
+    if (!this.down) this.open();
   }
 }

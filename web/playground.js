@@ -90,26 +90,27 @@ export function makePlayground({ store, engine, kinds, presets }) {
   /** @param {ViewUpdate} update */
   function onUpdate(update) {
     const format = currentFormat(update.view);
-    if (update.docChanged) sendEdits(update);
-    if (format !== store.state.format) {
-      store.set({ format });
-      engine.change('setFormat', format, head());
-    }
-    if (update.selectionSet && !update.docChanged) {
+    const isNewFormat = format !== store.state.format;
+    if (update.docChanged) noteEdit(update);
+    if (isNewFormat) store.set({ format });
+    if (update.docChanged || isNewFormat) {
+      engine.alter({
+        changes: update.docChanged ? update.changes : undefined,
+        format: isNewFormat ? format : undefined,
+        offset: head(),
+      });
+    } else if (update.selectionSet) {
       if (!update.transactions.some((one) => one.annotation(movedBy) === 'problems')) store.set({ chosen: null });
       void locate();
     }
   }
 
   /** @param {ViewUpdate} update */
-  function sendEdits({ changes, startState, state }) {
-    /** @type {[number, number, string][]} */
-    const edits = [];
-    changes.iterChanges((from, to, _from, _to, insert) => edits.push([from, to, insert.toString()]));
-    const [[from, to]] = edits;
-    replaced ||= from === 0 && to >= startState.doc.length * 0.9;
+  function noteEdit({ changes, startState, state }) {
+    changes.iterChangedRanges((from, to) => {
+      replaced ||= from === 0 && to >= startState.doc.length * 0.9;
+    });
     problems.move(changes);
-    engine.change('edit', edits.reverse(), state.selection.main.head);
     header.name((source) => source.length === state.doc.length && source === state.doc.toString());
   }
 
@@ -131,6 +132,8 @@ export function makePlayground({ store, engine, kinds, presets }) {
     changed({ summary, here }) {
       store.set({ summary, here, whole: replaced });
       replaced = false;
+      // The cursor may have moved on while the engine was reading.
+      if (here.offset !== head()) void locate();
     },
   };
 }

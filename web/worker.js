@@ -34,20 +34,13 @@ const changes = {
   },
   /**
    * @param {[from: number, to: number, insert: string][]} edits  from the last one to the first
+   * @param {import('nctape').Format | null} format  null: as it was
    * @param {number} offset
    */
-  edit(edits, offset) {
+  alter(edits, format, offset) {
     const on = tapeOrThrow();
     for (const [from, to, insert] of edits) on.edit(from, to, insert);
-    return changed(on, offset);
-  },
-  /**
-   * @param {import('nctape').Format} format
-   * @param {number} offset
-   */
-  setFormat(format, offset) {
-    const on = tapeOrThrow();
-    on.setFormat(format);
+    if (format !== null) on.setFormat(format);
     return changed(on, offset);
   },
 };

@@ -1,4 +1,5 @@
 // The whole path in the colours of its kinds, thinned to what a pixel can show.
+import { Pen } from './pen.js';
 import { AXES } from './view.js';
 
 /** @typedef {import('nctape').Path} Path */
@@ -6,6 +7,8 @@ import { AXES } from './view.js';
 
 /** Beyond so many spans the marks at their ends are left out. */
 const MOST_MARKS = 2500;
+/** Beyond so many points lines are one pixel wide, which is drawn many times faster. */
+const MOST_WIDE = 20_000;
 
 /**
  * @param {CanvasRenderingContext2D} context
@@ -15,31 +18,63 @@ const MOST_MARKS = 2500;
  * @param {Record<string, string>} colours
  */
 export function drawPath(context, view, path, kindOf, colours) {
-  /** @type {Map<string, Path2D>} */
-  const strokes = new Map();
-  const ends = new Path2D();
-  const withEnds = path.kinds.length <= MOST_MARKS;
-  forEachRun(view, path, (span, points) => {
-    const key = `${kindOf(span)} ${path.substitutes[span]}`;
-    const stroke = strokes.get(key) ?? new Path2D();
-    strokes.set(key, stroke);
-    addThinned(stroke, points);
-    if (withEnds) {
-      const [x, y] = points.slice(-2);
-      ends.moveTo(x + 2, y);
-      ends.arc(x, y, 2, 0, 2 * Math.PI);
-    }
-  });
-  context.lineJoin = 'round';
+  const { xyz, span, kinds, substitutes } = path;
+  const [across, up] = AXES[view.plane];
+  const isDense = span.length > MOST_WIDE;
+  context.lineJoin = 'bevel';
   context.lineCap = 'butt';
-  for (const [key, stroke] of strokes) {
-    const [kind, substitute] = key.split(' ');
-    strokeStyle(context, kind, substitute === '1', colours);
-    context.stroke(stroke);
+  const pen = new Pen(context, view.width, view.height);
+  let style = -1;
+  for (let i = 0; i < span.length; i += 1) {
+    const [x, y] = view.at(xyz[3 * i + across], xyz[3 * i + up]);
+    const index = span[i];
+    if (i > 0 && index === span[i - 1]) {
+      pen.lineTo(x, y);
+      continue;
+    }
+    const next = 2 * kinds[index] + substitutes[index];
+    if (next !== style) {
+      pen.end();
+      strokeStyle(context, kindOf(index), substitutes[index] === 1, colours);
+      if (isDense) context.lineWidth = 1;
+      style = next;
+      pen.moveTo(x, y);
+    } else if (i > 0 && isSamePoint(xyz, i)) {
+      pen.lineTo(x, y);
+    } else {
+      pen.moveTo(x, y);
+    }
   }
+  pen.end();
   context.setLineDash([]);
+  if (kinds.length <= MOST_MARKS) drawEnds(context, view, path, colours);
+}
+
+/**
+ * A span mostly begins where the one before it ends.
+ * @param {Float64Array} xyz
+ * @param {number} i
+ */
+const isSamePoint = (xyz, i) =>
+  xyz[3 * i] === xyz[3 * i - 3] && xyz[3 * i + 1] === xyz[3 * i - 2] && xyz[3 * i + 2] === xyz[3 * i - 1];
+
+/**
+ * A dot where each span ends.
+ * @param {CanvasRenderingContext2D} context
+ * @param {View} view
+ * @param {Path} path
+ * @param {Record<string, string>} colours
+ */
+function drawEnds(context, view, { xyz, span }, colours) {
   context.fillStyle = colours.text;
-  context.fill(ends);
+  context.beginPath();
+  for (let i = 0; i < span.length; i += 1) {
+    if (i + 1 < span.length && span[i + 1] === span[i]) continue;
+    const [x, y] = view.toScreen(xyz.subarray(3 * i, 3 * i + 3));
+    context.moveTo(x + 2, y);
+    context.arc(x, y, 2, 0, 2 * Math.PI);
+  }
+  context.fill();
 }
 
 /**
@@ -52,20 +87,6 @@ export function strokeStyle(context, kind, substitute, colours) {
   context.strokeStyle = colours[kind] ?? colours.text;
   context.lineWidth = kind === 'rapid' ? 1.5 : 2;
   context.setLineDash(substitute ? [1.5, 4] : kind === 'rapid' ? [7, 5] : []);
-}
-
-/**
- * Calls for each span with its points on the screen, x and y in turn.
- * @param {View} view
- * @param {Path} path
- * @param {(span: number, points: number[]) => void} run
- */
-function forEachRun(view, { xyz, span }, run) {
-  for (let i = 0; i < span.length; ) {
-    const from = i;
-    while (i < span.length && span[i] === span[from]) i += 1;
-    run(span[from], projected(view, xyz, from, i));
-  }
 }
 
 /**
@@ -82,20 +103,12 @@ function projected(view, xyz, from, to) {
 }
 
 /**
- * @param {Path2D} stroke
  * @param {number[]} points
  */
-function addThinned(stroke, points) {
-  let [lastX, lastY] = points;
-  stroke.moveTo(lastX, lastY);
-  for (let i = 2; i < points.length; i += 2) {
-    const x = points[i];
-    const y = points[i + 1];
-    if (i < points.length - 2 && Math.abs(x - lastX) + Math.abs(y - lastY) < 0.7) continue;
-    stroke.lineTo(x, y);
-    lastX = x;
-    lastY = y;
-  }
+function lineThrough(points) {
+  const stroke = new Path2D();
+  for (let i = 0; i < points.length; i += 2) stroke.lineTo(points[i], points[i + 1]);
+  return stroke;
 }
 
 /**
@@ -130,8 +143,7 @@ export function drawLit(context, view, path, index, kind, colours, halo) {
   const [from, to] = pointsOf(path, index);
   if (to - from < 2) return;
   const points = projected(view, path.xyz, from, to);
-  const stroke = new Path2D();
-  addThinned(stroke, points);
+  const stroke = lineThrough(points);
   context.lineJoin = context.lineCap = 'round';
   context.setLineDash([]);
   context.strokeStyle = colours.halo;
