@@ -82,6 +82,12 @@ impl Fix {
         Fix { title: title.into(), edits: vec![Edit { range, insert: insert.into() }], format: None }
     }
 
+    /// A fix that replaces several ranges, in order and apart.
+    pub(crate) fn edits(title: impl Into<String>, edits: impl IntoIterator<Item = (Range<usize>, String)>) -> Fix {
+        let edits = edits.into_iter().map(|(range, insert)| Edit { range, insert }).collect();
+        Fix { title: title.into(), edits, format: None }
+    }
+
     /// A fix that changes the format.
     pub fn reformat(title: impl Into<String>, format: Format) -> Fix {
         Fix { title: title.into(), edits: Vec::new(), format: Some(Box::new(format)) }
@@ -174,6 +180,10 @@ impl Reported<'_> {
 
     pub(crate) fn fix(self, fix: impl FnOnce() -> Fix) -> Self {
         self.with(|d| d.fixes.push(fix()))
+    }
+
+    pub(crate) fn fixes(self, fixes: impl IntoIterator<Item = Fix>) -> Self {
+        self.with(|d| d.fixes.extend(fixes))
     }
 
     fn with(mut self, change: impl FnOnce(&mut Diagnostic)) -> Self {

@@ -44,13 +44,11 @@ pub(crate) fn execute(reading: &Reading, control: &Control, skip: bool) -> Execu
     let mut program = None;
     let mut ended = false;
     for (index, block) in reading.blocks.iter().enumerate() {
-        if program != Some(block.program) {
-            if let Some(last) = index.checked_sub(1) {
-                state.finish_span();
-                ends.push((last, ended));
-                state.restart();
-            }
-            program = Some(block.program);
+        // Behind a program without its end, a program start character is a rewind stop and starts no other program.
+        if program.replace(block.program) != Some(block.program) && ended {
+            state.finish_span();
+            ends.push((index - 1, ended));
+            state.restart();
             ended = false;
         }
         if ended {

@@ -41,6 +41,13 @@ pub(crate) enum StrayKind {
     ProgramStart,
 }
 
+impl StrayKind {
+    /// It stands in a comment, or would end one.
+    pub(crate) fn is_in_comment(self) -> bool {
+        matches!(self, StrayKind::InComment(_) | StrayKind::NestedControlOut | StrayKind::Reserved(_))
+    }
+}
+
 /// How a block ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum BlockEnd {

@@ -30,3 +30,26 @@ pub(crate) fn is_declared_letter(letter: char, control: &Control) -> bool {
     let declared = control.format.itemized.declared.as_ref();
     declared.is_some_and(|declared| declared.letters.contains_key(&letter.to_string()))
 }
+
+/// A fix that moves a word before another of its block; none where tabs belong to the words.
+pub(crate) fn move_before(word: &Word, other: &Word, block: &BlockView<'_>) -> Option<Fix> {
+    if block.words.iter().any(|word| word.tabs > 0) || other.from >= word.from {
+        return None;
+    }
+    let (to, from) = (other.range().start, word.range());
+    let text = &block.text[from.clone()];
+    let blanks = block.text[..from.start].len() - block.text[..from.start].trim_end_matches(' ').len();
+    let insert = if blanks > 0 { format!("{text} ") } else { text.to_owned() };
+    let title = format!("Move it before {}", &block.text[other.range()]);
+    Some(Fix::edits(title, [(to..to, insert), (from.start - blanks..from.end, String::new())]))
+}
+
+/// A fix that puts words of a block into another order, each in the place of another; none where tabs belong to them.
+pub(crate) fn reorder(words: &[&Word], ordered: &[&Word], block: &BlockView<'_>) -> Option<Fix> {
+    if block.words.iter().any(|word| word.tabs > 0) {
+        return None;
+    }
+    let moved = words.iter().zip(ordered).filter(|(word, ordered)| word.from != ordered.from);
+    let edits = moved.map(|(word, ordered)| (word.range(), block.text[ordered.range()].to_owned()));
+    Some(Fix::edits("Put the words in order", edits))
+}

@@ -20,6 +20,7 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
             "A comment within the program must not hold : because a control that searches for the alignment function stops at \
              it. Write the comment without it."
                 .to_owned(),
-        );
+        )
+        .fix(|| Fix::replace("Take it out", stray.range(), ""));
     }
 }

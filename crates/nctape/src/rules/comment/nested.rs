@@ -2,6 +2,7 @@
 
 use crate::read::StrayKind;
 use crate::rules::prelude::*;
+use std::ops::Range;
 
 /// The rule.
 pub static RULE: Rule = Rule {
@@ -13,11 +14,24 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
-    for stray in block.strays.iter().filter(|stray| stray.kind == StrayKind::NestedControlOut) {
+    let nested = block.strays.iter().filter(|stray| stray.kind == StrayKind::NestedControlOut);
+    for (index, stray) in nested.enumerate() {
+        let range = stray.range();
         sink.report(
             &RULE,
-            stray.range(),
-            "A ( inside a comment has no meaning: the next ) ends the comment. Take it out.".to_owned(),
-        );
+            range.clone(),
+            "Comments do not nest: a control out ( inside a comment has no meaning, and the next ) ends the comment. \
+             Take it out."
+                .to_owned(),
+        )
+        .fixes((index == 0).then(|| without(range, block)));
     }
+}
+
+/// Takes a control out out, and the control in that was meant for it where that ends the comment too early.
+fn without(range: Range<usize>, block: &BlockView<'_>) -> Fix {
+    let too_early = block.strays.iter().any(|stray| stray.kind == StrayKind::ControlIn);
+    let control_in = block.text[range.end..].find(')').map(|at| range.end + at);
+    let control_in = control_in.filter(|_| too_early).map(|at| at..at + 1);
+    Fix::edits("Take it out", std::iter::once(range).chain(control_in).map(|range| (range, String::new())))
 }

@@ -19,6 +19,7 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
             stray.range(),
             "A comment within the program must not hold % because a rewinding tape stops at it. Write the comment without it."
                 .to_owned(),
-        );
+        )
+        .fix(|| Fix::replace("Take it out", stray.range(), ""));
     }
 }

@@ -19,6 +19,11 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
             stray.range(),
             "The control out ( has no control in ) behind it: everything that follows is ignored. Close the comment."
                 .to_owned(),
-        );
+        )
+        .fix(|| {
+            let line = block.text[stray.range().end..].find(['\n', '\r', '*']);
+            let at = line.map_or(block.text.len(), |line| stray.range().end + line);
+            Fix::replace("Close it at the end of the line", at..at, ")")
+        });
     }
 }

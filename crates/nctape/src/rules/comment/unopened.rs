@@ -13,11 +13,18 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
+    // A ( inside the comment before it has led to this one: CTRL-05.
+    if block.strays.iter().any(|stray| stray.kind == StrayKind::NestedControlOut) {
+        return;
+    }
     for stray in block.strays.iter().filter(|stray| stray.kind == StrayKind::ControlIn) {
         sink.report(
             &RULE,
             stray.range(),
-            "The control in ) has no control out ( before it. Take it out, or open the comment.".to_owned(),
-        );
+            "The control in ) has no control out ( before it, so the control reads what was meant as a comment. Open the \
+             comment, or take the ) out."
+                .to_owned(),
+        )
+        .fix(|| Fix::replace("Take it out", stray.range(), ""));
     }
 }

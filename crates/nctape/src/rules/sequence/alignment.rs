@@ -13,13 +13,15 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     if both(block) {
+        let second = block.words[1].range();
         sink.report(
             &RULE,
-            block.words[1].range(),
+            second.clone(),
             "The alignment function : replaces N as the address of the sequence number; both in one block are wrong. \
              Keep one."
                 .to_owned(),
-        );
+        )
+        .fix(|| Fix::replace("Take it out", second, ""));
     }
 }
 

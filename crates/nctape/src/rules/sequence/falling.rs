@@ -24,7 +24,7 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     sink.report(
         &RULE,
         tape.sequence_range(block),
-        "This sequence number is lower than the one before it. Nothing forbids it; usually they rise.".to_owned(),
+        "The sequence number is lower than the one before it. Nothing forbids it; usually they rise.".to_owned(),
     )
     .count(count);
 }

@@ -13,7 +13,8 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let Some(first) = block.words.first() else { return };
-    if !block.words.iter().any(Word::is_sequence) {
+    // Digits without an address at the head are probably the number: WORD-11.
+    if first.address != 0 && !block.words.iter().any(Word::is_sequence) {
         sink.report(
             &RULE,
             first.range(),

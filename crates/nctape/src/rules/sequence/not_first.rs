@@ -12,16 +12,21 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
-    let first = block.sequence().map_or(0, |_| 1);
-    for word in block.words.iter().skip(first).filter(|word| word.is_sequence()) {
-        // Two of them at the head are an alignment function and a number: a rule of its own.
-        if super::alignment::both(block) {
-            return;
+    // Two of them at the head are an alignment function and a number: a rule of its own.
+    if super::alignment::both(block) {
+        return;
+    }
+    let headed = block.sequence().is_some();
+    let others = block.words.iter().skip(usize::from(headed)).filter(|word| word.is_sequence());
+    for (index, word) in others.enumerate() {
+        let letter = word.letter();
+        if headed || index > 0 {
+            let message = format!("The sequence number word {letter} is a second one in its block. Take it out.");
+            sink.report(&RULE, word.range(), message).fix(|| Fix::replace("Take it out", word.range(), ""));
+        } else {
+            let message =
+                format!("The sequence number word {letter} is not the first word of its block. Put it first.");
+            sink.report(&RULE, word.range(), message).fixes(move_before(word, &block.words[0], block));
         }
-        sink.report(
-            &RULE,
-            word.range(),
-            format!("The sequence number word {} is not the first word of its block. Put it first.", word.letter()),
-        );
     }
 }

@@ -21,12 +21,10 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     });
     let Some((block, first)) = found.next() else { return };
     let count = 1 + found.count();
-    sink.report(
-        &RULE,
-        tape.sequence_range(block),
-        "This sequence number stands in an earlier block too: a search stops at that one. Number the blocks anew."
-            .to_owned(),
-    )
-    .count(count)
-    .related(tape.sequence_range(first), "the same sequence number");
+    let range = tape.sequence_range(block);
+    let message = format!(
+        "The sequence number {} stands in an earlier block too: a search stops at that one. Number the blocks anew.",
+        &tape.text[range.clone()]
+    );
+    sink.report(&RULE, range, message).count(count).related(tape.sequence_range(first), "the same sequence number");
 }

@@ -13,11 +13,15 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let Some(word) = block.sequence() else { return };
-    if word.tabs > 0 && block.control.system != System::Address {
-        sink.report(
-            &RULE,
-            word.range(),
-            "A tab stands before the sequence number word, which has none. Take the tab out.".to_owned(),
-        );
+    if block.control.system == System::Address {
+        return;
     }
+    let before = &block.text[..word.range().start];
+    let Some(at) = before.rfind('\t').filter(|_| word.tabs > 0) else { return };
+    sink.report(
+        &RULE,
+        at..at + 1,
+        "The tab before the sequence number word is one too many: this word has none. Take the tab out.".to_owned(),
+    )
+    .fix(|| Fix::edits("Take it out", before.match_indices('\t').map(|(at, _)| (at..at + 1, String::new()))));
 }

@@ -17,9 +17,16 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
         sink.report(
             &RULE,
             stray.range(),
-            "The optional block skip / stands immediately before the sequence number word, at the head of the block. Move it \
-             there."
+            "The optional block skip / stands elsewhere than immediately before the sequence number word, at the head of \
+             the block. Move it there."
                 .to_owned(),
-        );
+        )
+        .fixes(block.sequence().filter(|_| block.skip.is_none()).map(|word| {
+            let head = word.range().start;
+            Fix::edits(
+                "Move it to the head of the block",
+                [(head..head, "/".to_owned()), (stray.range(), String::new())],
+            )
+        }));
     }
 }

@@ -13,7 +13,8 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let Some(at) = block.skip else { return };
-    if block.sequence().is_none() {
+    // A sequence number word further back is a fault of its own: SEQ-07.
+    if !block.words.iter().any(Word::is_sequence) {
         sink.report(
             &RULE,
             at..at + 1,

@@ -16,7 +16,7 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         return;
     }
     let mut comment = false;
-    let mut tabs = tape.text.bytes().enumerate().filter(|(_, byte)| {
+    let tabs = tape.text.bytes().enumerate().filter(|(_, byte)| {
         match byte {
             b'(' => comment = true,
             b')' => comment = false,
@@ -24,13 +24,19 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         }
         *byte == b'\t' && !comment
     });
-    let Some((at, _)) = tabs.next() else { return };
+    let tabs: Vec<usize> = tabs.map(|(at, _)| at).collect();
+    let (Some(&first), Some(&last)) = (tabs.first(), tabs.last()) else { return };
     sink.report(
         &RULE,
-        at..at + 1,
-        "A tab; this is a system with addresses and without tabulation (A). Use blanks for layout, or state a system \
-         with tabs (S)."
+        first..first + 1,
+        "The tab has no place here: this is a system with addresses and without tabulation (A). Use blanks for layout, \
+         or state a system with tabs (S)."
             .to_owned(),
     )
-    .count(1 + tabs.count());
+    .count(tabs.len())
+    .fix(|| {
+        let mut text = tape.text[first..=last].to_owned().into_bytes();
+        tabs.iter().for_each(|at| text[at - first] = b' ');
+        Fix::replace("Write blanks", first..last + 1, String::from_utf8(text).unwrap_or_default())
+    });
 }

@@ -12,11 +12,13 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
-    if block.words.is_empty() && block.strays.is_empty() && block.skip.is_none() && block.end.is_some() {
+    // What a stray says is said by its own rule, unless it stands in a comment.
+    let bare = block.strays.iter().all(|stray| stray.kind.is_in_comment());
+    if block.words.is_empty() && bare && block.skip.is_none() && block.end.is_some() {
         sink.report(
             &RULE,
             0..block.text.len(),
-            "This block has no word: two ends of block follow one another. A control reads it and does nothing."
+            "The block has no word between two ends of block. A control reads it and does nothing; leave it out."
                 .to_owned(),
         );
     }

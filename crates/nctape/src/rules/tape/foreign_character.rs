@@ -25,13 +25,14 @@ pub(crate) fn check(strays: &[Stray], control: &Control, sink: &mut Sink<'_>) {
                     &RULE,
                     stray.range(),
                     format!(
-                        "{} is no character of the tape; a word has an address, a sign and digits. {}",
+                        "{} is not one of the format; words are made of capital letters, digits and the signs + and -. {}",
                         named(character),
                         advice(character)
                     ),
                 );
                 if let Some(meant) = look_alike(character) {
-                    reported.fix(|| Fix::replace(format!("Write {meant}"), stray.range(), meant));
+                    let title = if meant == " " { "Write a blank".to_owned() } else { format!("Write {meant}") };
+                    reported.fix(|| Fix::replace(title, stray.range(), meant));
                 }
             }
             StrayKind::InComment(character) => {
@@ -66,5 +67,5 @@ fn look_alike(character: char) -> Option<&'static str> {
 }
 
 fn advice(character: char) -> &'static str {
-    if look_alike(character).is_some() { "It looks like one that is; write that." } else { "Take it out." }
+    if look_alike(character).is_some() { "It looks like one that is: write that." } else { "Take it out." }
 }

@@ -1,5 +1,6 @@
 //! TAPE-03: the last block has no end of block.
 
+use crate::read::StrayKind;
 use crate::rules::prelude::*;
 
 /// The rule.
@@ -13,6 +14,10 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let (None, Some(last)) = (block.end, block.words.last()) else { return };
+    // An open comment has swallowed it: CTRL-01.
+    if block.strays.iter().any(|stray| stray.kind == StrayKind::Unclosed) {
+        return;
+    }
     let at = block.text.len();
     sink.report(
         &RULE,

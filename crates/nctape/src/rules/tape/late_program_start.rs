@@ -1,5 +1,6 @@
 //! TAPE-04: the program start character stands behind the first end of block.
 
+use crate::read::ProgramMark;
 use crate::rules::prelude::*;
 
 /// The rule.
@@ -12,15 +13,26 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    for mark in &tape.reading.programs {
-        if mark.behind_end_of_block && mark.blocks_before == 0 {
-            sink.report(
-                &RULE,
-                mark.range.clone(),
-                "The program start % stands behind the first end of block; it belongs before it. Move it to the very \
-                 start of the tape."
-                    .to_owned(),
-            );
-        }
+    for mark in marks(tape) {
+        sink.report(
+            &RULE,
+            mark.range.clone(),
+            "The program start % stands behind the first end of block; it belongs before it. Move it to the very start \
+             of the tape."
+                .to_owned(),
+        )
+        .fix(|| {
+            let moved = mark.range.start..mark.number.end;
+            let insert = tape.text[moved.clone()].to_owned();
+            // With an end of block behind it there would be two before the first block.
+            let behind = tape.text[moved.end..].starts_with('\n');
+            let gone = moved.start..moved.end + usize::from(behind);
+            Fix::edits("Move it to the start", [(0..0, insert), (gone, String::new())])
+        });
     }
+}
+
+/// The program start characters that stand before every block but behind an end of block.
+pub(super) fn marks<'a>(tape: &TapeView<'a>) -> impl Iterator<Item = &'a ProgramMark> {
+    tape.reading.programs.iter().filter(|mark| mark.behind_end_of_block && mark.blocks_before == 0)
 }

@@ -18,10 +18,18 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     }
     let mut found = tape.words().filter(|(_, word)| word.lower_case);
     let Some((block, word)) = found.next() else { return };
+    let (mut count, mut last) = (1, (block, word));
+    for other in found {
+        (count, last) = (count + 1, other);
+    }
     let message = format!(
         "The address {} is written in lower case; ISO code has capital letters only, and it is punched as {}.",
         char::from(word.address).to_ascii_lowercase(),
         word.letter()
     );
-    sink.report(&RULE, tape.range(block, word), message).count(1 + found.count());
+    let range = tape.range(block, word);
+    let all = range.start..tape.range(last.0, last.1).end;
+    sink.report(&RULE, range, message)
+        .count(count)
+        .fix(|| Fix::replace("Write capitals", all.clone(), tape.text[all].to_ascii_uppercase()));
 }

@@ -13,14 +13,23 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     for &(last, ended) in &tape.execution.ends {
-        if !ended {
-            sink.report(
-                &RULE,
-                tape.extent(last),
-                "The program has no M02 or M30: the control runs out of tape here. End it with M02, or with M30 to \
-                 rewind."
-                    .to_owned(),
-            );
+        // Behind a comment that nothing closes there may be one: CTRL-01.
+        if ended || last + 1 == tape.reading.blocks.len() && tape.ends_in_comment() {
+            continue;
+        }
+        let block = &tape.reading.blocks[last];
+        let words = tape.reading.words(block);
+        let reported = sink.report(
+            &RULE,
+            tape.extent(last),
+            "The program has no M02 or M30: the control runs out of tape here. End it with M02, or with M30 to rewind."
+                .to_owned(),
+        );
+        // One M word for each block, and it is the last word.
+        let writable = tape.control.system == System::Address && tape.control.designation(b'M').is_some();
+        if let Some(word) = words.last().filter(|_| writable && words.iter().all(|word| word.address != b'M')) {
+            let at = tape.range(block, word).end;
+            reported.fix(|| Fix::replace("End it with M30", at..at, " M30"));
         }
     }
 }

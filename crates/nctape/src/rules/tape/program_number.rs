@@ -15,21 +15,30 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     let declared = tape.control.format.itemized.program_number_digits.unwrap_or(0);
     for mark in &tape.reading.programs {
         let digits = tape.text[mark.number.clone()].chars().filter(char::is_ascii_digit).count();
-        let message = match (digits, tape.control.standard()) {
+        let standard = tape.control.standard();
+        let message = match (digits, standard) {
             (0, _) => continue,
             (_, Standard::Iso1058) => {
                 "ISO 1058 has no program number behind %. Take the digits out, or put them into a comment.".to_owned()
             }
             (_, _) if declared == 0 => format!(
-                "The program number has {digits} digits; the itemized data declares none. Declare \
-                 programNumberDigits: {digits}, or take the number out."
+                "The program number has {}; the itemized data foresees none. Declare how many digits it has, or take \
+                 the number out.",
+                super::super::prelude::digits(digits as u16)
             ),
             (_, _) if digits != usize::from(declared) => format!(
-                "The program number has {digits} digits; the itemized data declares {declared}. Write it with \
-                 {declared} digits."
+                "The program number has {}; the itemized data declares {declared}. Write it with {declared}.",
+                super::super::prelude::digits(digits as u16)
             ),
             _ => continue,
         };
-        sink.report(&RULE, mark.number.clone(), message);
+        let reported = sink.report(&RULE, mark.number.clone(), message);
+        if standard == Standard::Iso1058 {
+            reported.fix(|| Fix::replace("Take the digits out", mark.number.clone(), ""));
+        } else if let Some(digits) = u8::try_from(digits).ok().filter(|digits| *digits <= 9) {
+            let mut format = tape.control.format.clone();
+            format.itemized.program_number_digits = Some(digits);
+            reported.fix(|| Fix::reformat(format!("Declare {digits} digits"), format));
+        }
     }
 }

@@ -2,6 +2,7 @@
 
 use crate::read::StrayKind;
 use crate::rules::prelude::*;
+use std::ops::Range;
 
 /// The rule.
 pub static RULE: Rule = Rule {
@@ -12,22 +13,30 @@ pub static RULE: Rule = Rule {
     page: page!("TAPE-05"),
 };
 
-const MESSAGE: &str = "A % behind the first block is an absolute rewind stop: a rewinding tape halts here and not at \
-     its start. Take it out, unless that is meant.";
-
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     for mark in &tape.reading.programs {
-        let blocks = &tape.reading.blocks;
-        // At the end of the tape, and between programs that each have their end, it is where it belongs.
+        // Between programs that each have their end it starts the next one.
         let ended = tape.execution.ends.iter().any(|&(last, ended)| ended && last + 1 == mark.blocks_before);
-        if mark.blocks_before > 0 && mark.blocks_before < blocks.len() && !ended {
-            sink.report(&RULE, mark.range.clone(), MESSAGE.to_owned());
+        let starts_another = ended && mark.blocks_before < tape.reading.blocks.len();
+        if mark.blocks_before > 0 && !starts_another {
+            report(mark.range.clone(), sink);
         }
     }
 }
 
 pub(crate) fn check_block(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     for stray in block.strays.iter().filter(|stray| stray.kind == StrayKind::ProgramStart) {
-        sink.report(&RULE, stray.range(), MESSAGE.to_owned());
+        report(stray.range(), sink);
     }
+}
+
+fn report(range: Range<usize>, sink: &mut Sink<'_>) {
+    sink.report(
+        &RULE,
+        range.clone(),
+        "A program start % behind the first block is an absolute rewind stop: a tape that rewinds over it halts here \
+         and not at its start. Take it out, unless that is meant."
+            .to_owned(),
+    )
+    .fix(|| Fix::replace("Take it out", range, ""));
 }

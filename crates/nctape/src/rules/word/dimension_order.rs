@@ -26,12 +26,25 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
                     word.letter(),
                     other.letter()
                 );
-                sink.report(&RULE, word.range(), message);
+                sink.report(&RULE, word.range(), message).fixes(in_order(block));
                 return;
             }
             _ => highest = Some((place, word)),
         }
     }
+}
+
+/// None where a feed word stands among them: it may belong to the word before it.
+fn in_order(block: &BlockView<'_>) -> Option<Fix> {
+    let words: Vec<&Word> = block.words.iter().filter(|word| place(word, block.control).is_some()).collect();
+    let (first, last) = (words.first()?, words.last()?);
+    let between = |word: &Word| (first.from..last.from).contains(&word.from) && word.address == b'F';
+    if block.words.iter().any(between) {
+        return None;
+    }
+    let mut ordered = words.clone();
+    ordered.sort_by_key(|word| place(word, block.control));
+    reorder(&words, &ordered, block)
 }
 
 fn place(word: &Word, control: &Control) -> Option<usize> {

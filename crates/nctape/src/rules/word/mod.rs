@@ -23,3 +23,10 @@ fn has_rule_of_its_own(word: &Word, control: &Control) -> bool {
         _ => false,
     }
 }
+
+/// The address stands in the detail, or the itemized data gives it a meaning.
+fn is_known(word: &Word, control: &Control) -> bool {
+    control.designation(word.address).is_some()
+        || word.address == b':' && control.designation(b'N').is_some()
+        || crate::rules::is_declared_letter(word.letter(), control)
+}

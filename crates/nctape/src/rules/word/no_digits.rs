@@ -12,7 +12,13 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
-    if word.fault == NumberFault::Empty && word.address != 0 && !word.by_column {
+    if word.fault != NumberFault::Empty || word.address == 0 || word.by_column {
+        return;
+    }
+    // An O right behind it stands for a zero: WORD-14.
+    let next = block.words.binary_search_by_key(&word.to, |other| other.from);
+    let letter_o = next.is_ok_and(|next| block.words[next].address == b'O');
+    if super::is_known(word, block.control) && !letter_o {
         let wanted = block.control.designation(word.address).map_or(String::new(), |designation| {
             format!(" It wants {} here ({}).", digits(u16::from(designation.width())), designation.text())
         });

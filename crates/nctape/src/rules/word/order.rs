@@ -22,7 +22,7 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
                     word.letter(),
                     other.letter()
                 );
-                sink.report(&RULE, word.range(), message);
+                sink.report(&RULE, word.range(), message).fixes(in_order(block));
                 return;
             }
             _ => highest = Some((class, word)),
@@ -30,13 +30,23 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     }
 }
 
-/// The place of a word in the order; `None` where it has none. ISO 2539 has rules of its own for feed words.
+fn in_order(block: &BlockView<'_>) -> Option<Fix> {
+    let placed = |word: &&Word| class(word, block.control).is_some();
+    let words: Vec<&Word> = block.words.iter().filter(placed).collect();
+    let mut ordered = words.clone();
+    ordered.sort_by_key(|word| class(word, block.control));
+    reorder(&words, &ordered, block)
+}
+
+/// The place of a word in the order; `None` where it has none. Among dimension words ISO 2539 lets feed words stand
+/// too, and has rules of its own for them.
 fn class(word: &Word, control: &Control) -> Option<u8> {
     let designation = control.designation(word.address)?;
     match word.address {
         b'G' => Some(1),
         _ if designation.dimension => Some(2),
         b'F' if control.standard() == Standard::Iso1058 => Some(3),
+        b'F' => Some(2),
         b'S' => Some(4),
         b'T' => Some(5),
         b'M' => Some(6),

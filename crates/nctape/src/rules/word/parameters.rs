@@ -1,4 +1,4 @@
-//! WORD-15: i, J and K are unassigned in ISO 1058.
+//! WORD-15: I, J and K are unassigned in ISO 1058.
 
 use crate::rules::prelude::*;
 

@@ -12,7 +12,8 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
-    for (index, word) in block.words.iter().enumerate() {
+    let mut first_of: [Option<&Word>; 128] = [None; 128];
+    for word in block.words {
         let Some(designation) = block.control.designation(word.address) else { continue };
         let counts = match (block.control.standard(), word.address) {
             (_, b'N') => false,
@@ -21,7 +22,11 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
             (_, b'F' | b'T' | b'M') => false,
             _ => true,
         };
-        let Some(first) = block.words[..index].iter().find(|other| other.address == word.address) else { continue };
+        let slot = &mut first_of[usize::from(word.address) & 127];
+        let Some(first) = *slot else {
+            *slot = Some(word);
+            continue;
+        };
         if counts {
             let message = format!(
                 "{} stands twice in this block; a data word may not be repeated. Take one out, or put it into a block \

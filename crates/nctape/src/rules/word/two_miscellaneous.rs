@@ -16,7 +16,7 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
         sink.report(
             &RULE,
             word.range(),
-            "A block has one miscellaneous function word; this is another. Put it into a block of its own.".to_owned(),
+            "M is a second miscellaneous function in this block, which has room for one. Put it into a block of its own.".to_owned(),
         );
     }
 }

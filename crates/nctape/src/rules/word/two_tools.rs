@@ -16,7 +16,8 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
         sink.report(
             &RULE,
             word.range(),
-            "ISO 1058 foresees one tool word in a block; this is another. Put it into a block of its own.".to_owned(),
+            "T is a second tool function in this block; ISO 1058 foresees one. Put it into a block of its own."
+                .to_owned(),
         );
     }
 }

@@ -1,4 +1,4 @@
-//! WORD-13: h and L are permanently unassigned.
+//! WORD-13: H and L are permanently unassigned.
 
 use crate::rules::prelude::*;
 

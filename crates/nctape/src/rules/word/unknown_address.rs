@@ -13,17 +13,18 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let control = block.control;
-    let known = word.address == 0
-        || control.designation(word.address).is_some()
-        || word.address == b':' && control.designation(b'N').is_some();
-    if known || is_declared(word, control) || super::has_rule_of_its_own(word, control) {
+    if word.address == 0 || super::is_known(word, control) || super::has_rule_of_its_own(word, control) {
         return;
     }
     let words: Vec<String> = control.detail.words.iter().map(|designation| designation.text()).collect();
     let message = if words.is_empty() {
         format!("The address {} is not in the format: its detail names no word at all.", word.letter())
     } else {
-        format!("The address {} is not in the format, which has {}. Take the word out.", word.letter(), words.join(" "))
+        format!(
+            "The address {} is not in the format, which has {}. Take the word out, or state it in the detail.",
+            word.letter(),
+            words.join(" ")
+        )
     };
     sink.report(&RULE, word.range(), message);
 }
