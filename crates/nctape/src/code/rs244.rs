@@ -114,7 +114,7 @@ mod tests {
     /// where the holes would otherwise be even.
     fn built(zone: u8, digit: u8) -> u8 {
         let holes = zone | digit;
-        if holes.count_ones() % 2 == 0 { holes | 0x10 } else { holes }
+        if holes.count_ones().is_multiple_of(2) { holes | 0x10 } else { holes }
     }
 
     #[test]

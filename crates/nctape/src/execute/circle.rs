@@ -105,9 +105,9 @@ impl Arc {
     }
 }
 
-/// The length of a vector in a plane. `hypot` of libm, so that native and wasm agree.
+/// The length of a vector in a plane; see [`super::parabola::norm`].
 pub(crate) fn length(vector: [f64; 2]) -> f64 {
-    libm::hypot(vector[0], vector[1])
+    (vector[0] * vector[0] + vector[1] * vector[1]).sqrt()
 }
 
 #[cfg(test)]

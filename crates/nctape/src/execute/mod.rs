@@ -3,7 +3,7 @@
 //! Executing has no messages. What it could not do as written it notes as an [`Event`], which the rules turn into
 //! diagnostics, and draws a substitute.
 
-mod circle;
+pub(crate) mod circle;
 mod event;
 mod feed;
 mod motion;

@@ -1,5 +1,6 @@
 //! Parabolas: as few chords with their ends on the curve as keep the tolerance.
 
+use crate::execute::circle::length;
 use crate::execute::parabola::{Parabola, cross, dot, norm};
 
 /// Gives the points between the ends.
@@ -21,8 +22,8 @@ pub(super) fn inner_points(
     let flattening = Flattening { a: curve.a(), d: curve.d(), k: curve.k() };
     let count = flattening.count(tolerance, most);
     let (mut low, mut high) = (0.0, tolerance);
-    // Forty halvings narrow the tolerance to the last digits that change a point.
-    for _ in 0..40 {
+    // Evenness is for the eye: a hundredth of the tolerance is enough of it, and that is seven halvings.
+    for _ in 0..7 {
         let middle = (low + high) / 2.0;
         if flattening.count(middle, count + 1) > count { low = middle } else { high = middle }
     }
@@ -38,6 +39,9 @@ pub(super) fn inner_points(
     }
 }
 
+/// How near a step comes to the longest one that fits, as a part of it. Far below what changes a count of steps.
+const STEP_PRECISION: f64 = 1e-9;
+
 struct Flattening {
     a: [f64; 3],
     d: [f64; 3],
@@ -52,21 +56,40 @@ impl Flattening {
 
     /// The longest step from t within a tolerance: the root of h² k = 2 e |B'(t) + hD|, no longer than to the end, and
     /// shorter where the curve would run too far beyond the ends of its chord.
+    ///
+    /// The step fits whatever happens; that it is the longest holds to [`STEP_PRECISION`].
     fn step(&self, t: f64, tolerance: f64) -> f64 {
-        let fits = |h: f64| {
-            // |B'(t) + hD| is |B'| at t + h/2.
-            h * h * self.k <= 2.0 * tolerance * self.speed(t + h / 2.0) && self.overrun(t, h) <= tolerance
-        };
+        // Negative where the step fits. |B'(t) + hD| is |B'| at t + h/2.
+        let excess = |h: f64| h * h * self.k - 2.0 * tolerance * self.speed(t + h / 2.0);
+        let overruns = |h: f64| self.overrun(t, h) > tolerance;
         let rest = 1.0 - t;
-        if fits(rest) {
-            return rest;
-        }
-        // `low` always fits, so the tolerance is kept whatever shape the condition has. 52 halvings reach the last
-        // bit of h.
         let (mut low, mut high) = (0.0, rest);
-        for _ in 0..52 {
-            let middle = (low + high) / 2.0;
-            if fits(middle) { low = middle } else { high = middle }
+        let mut above = excess(rest);
+        if above > 0.0 {
+            // False position, with the Illinois rule against an end that stays (Dowell and Jarratt, 1971). It takes
+            // some eight rounds; the limit is for curves at the edge of what f64 can hold.
+            let mut below = excess(0.0);
+            for _ in 0..100 {
+                if below >= 0.0 || high - low <= STEP_PRECISION * high {
+                    break;
+                }
+                let between = (low * above - high * below) / (above - below);
+                let value = excess(between);
+                if value > 0.0 {
+                    (high, above, below) = (between, value, below / 2.0);
+                } else {
+                    (low, below, above) = (between, value, above / 2.0);
+                }
+            }
+        } else {
+            low = rest;
+        }
+        if overruns(low) {
+            (low, high) = (0.0, low);
+            while high - low > STEP_PRECISION * high {
+                let middle = (low + high) / 2.0;
+                if excess(middle) > 0.0 || overruns(middle) { high = middle } else { low = middle }
+            }
         }
         low
     }
@@ -80,20 +103,20 @@ impl Flattening {
         let first: [f64; 3] = std::array::from_fn(|i| h * (self.a[i] + t * self.d[i]));
         let second = self.d.map(|component| h * h * component);
         let chord: [f64; 3] = std::array::from_fn(|i| 2.0 * first[i] + second[i]);
-        let length = norm(chord);
-        if length == 0.0 {
+        let reach = norm(chord);
+        if reach == 0.0 {
             return f64::INFINITY;
         }
         let last: [f64; 3] = std::array::from_fn(|i| -(first[i] + second[i]));
-        let (d, beside) = (dot(second, chord) / length, norm(cross(first, chord)) / length);
+        let (d, beside) = (dot(second, chord) / reach, norm(cross(first, chord)) / reach);
         let behind = |a: f64, d: f64| {
             if a >= 0.0 {
                 return 0.0;
             }
             let s = f64::min(-2.0 * a / d, 1.0);
-            libm::hypot(a * a / d, 2.0 * s * (1.0 - s) * beside)
+            length([a * a / d, 2.0 * s * (1.0 - s) * beside])
         };
-        let (start, end) = (dot(first, chord) / length, -dot(last, chord) / length);
+        let (start, end) = (dot(first, chord) / reach, -dot(last, chord) / reach);
         f64::max(behind(start, d), behind(end, -d))
     }
 
