@@ -84,8 +84,11 @@ impl Tape {
         let mut found = Vec::new();
         let view =
             TapeView { text: &self.text, control: &self.control, reading: &self.reading, execution: &self.execution };
-        rules::check_tape(&view, &mut Sink::new(self.control.standard(), &mut found));
-        found.extend(self.reading.diagnostics.iter().cloned());
+        let mut sink = Sink::new(self.control.standard(), &mut found);
+        if !rules::foreign_text::check(&view, &mut sink) {
+            rules::check_tape(&view, &mut sink);
+            found.extend(self.reading.diagnostics.iter().cloned());
+        }
         // Stable: at one place the order is that of the lists of rules.
         found.sort_by_key(|diagnostic| (diagnostic.range.start, diagnostic.range.end));
         self.diagnostics = found;

@@ -7,6 +7,7 @@
 pub(crate) mod comment;
 pub(crate) mod compensation;
 pub(crate) mod feed;
+pub(crate) mod foreign_text;
 pub(crate) mod format;
 pub(crate) mod function;
 pub(crate) mod motion;

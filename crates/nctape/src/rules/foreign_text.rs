@@ -1,0 +1,127 @@
+//! A text that is no tape at all: said once, and nothing else of it is checked.
+
+use super::prelude::*;
+use super::{number, tape};
+use crate::format::DIMENSION_LETTERS;
+
+/// Tells whether the text is something else than a tape, and says so.
+pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) -> bool {
+    todays_code(tape, sink) || source(tape, sink)
+}
+
+/// Today's G-code: most dimension words have a decimal point. One such word alone is a slip, and NUM-03 mends it.
+fn todays_code(tape: &TapeView<'_>, sink: &mut Sink<'_>) -> bool {
+    let (mut dimensions, mut first, mut points) = (0_usize, None, 0_usize);
+    for (block, word) in tape.words() {
+        if !DIMENSION_LETTERS.contains(word.letter()) || word.fault == NumberFault::Empty {
+            continue;
+        }
+        dimensions += 1;
+        if let NumberFault::DecimalSign(at) = word.fault {
+            let at = block.range.start + at as usize;
+            if tape.text.as_bytes()[at] == b'.' {
+                points += 1;
+                first = first.or(Some(at));
+            }
+        }
+    }
+    let Some(at) = first.filter(|_| points >= 2 && 2 * points > dimensions) else { return false };
+    let message = format!(
+        "{points} of {dimensions} dimension words have a decimal point: this is today's G-code, not a tape. A tape has \
+         no decimal sign; the format says where it is understood. Nothing else is checked."
+    );
+    sink.report(&number::decimal_sign::RULE, at..at + 1, message).count(points);
+    true
+}
+
+/// How many lines are looked at before the text is taken for a tape.
+const LINES_ENOUGH: usize = 200;
+
+/// CLDATA or APT: most lines are statements of it.
+fn source(tape: &TapeView<'_>, sink: &mut Sink<'_>) -> bool {
+    let (statements, lines) = count(statements(tape.text).take(LINES_ENOUGH));
+    if statements < 2 || 2 * statements <= lines {
+        return false;
+    }
+    let Some((from, statement)) = self::statements(tape.text).find(|line| is_statement(line.1)) else { return false };
+    let (count, _) = count(self::statements(tape.text));
+    let message = "The text is APT source or CLDATA, which is written before it is known what control will run it. A \
+                   postprocessor makes a tape of it. Nothing else is checked.";
+    sink.report(&tape::foreign_character::RULE, from..from + statement.len(), message.to_owned()).count(count);
+    true
+}
+
+fn count<'a>(lines: impl Iterator<Item = (usize, &'a str)>) -> (usize, usize) {
+    lines.fold((0, 0), |(statements, lines), (_, line)| (statements + usize::from(is_statement(line)), lines + 1))
+}
+
+/// The lines on which a statement may begin, each with its place: not empty, no remark (`$$`), and not going on with
+/// the line before, which then ends with `$`.
+fn statements(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let mut at = 0;
+    let mut goes_on = false;
+    text.split_inclusive(['\n', '\r']).filter_map(move |line| {
+        let from = at + line.len() - line.trim_start().len();
+        at += line.len();
+        let line = line.trim();
+        if line.is_empty() || line.starts_with("$$") {
+            return None;
+        }
+        let begins = !std::mem::replace(&mut goes_on, line.ends_with('$'));
+        begins.then_some((from, line))
+    })
+}
+
+/// A record of CLDATA, `12,5000,5,…`, or a statement of APT: a word of three letters or more that `/` or nothing
+/// follows, `GOTO/10,20`, `P1 = POINT/10,20`, `FINI`.
+fn is_statement(line: &str) -> bool {
+    let digits = line.bytes().take_while(u8::is_ascii_digit).count();
+    let behind = line[digits..].trim_start();
+    if let Some(record) = behind.strip_prefix(',').filter(|_| digits > 0) {
+        let record = record.trim_start();
+        let class = record.bytes().take_while(u8::is_ascii_digit).count();
+        return matches!(class, 4 | 5) && record[class..].trim_start().starts_with([',', ';']);
+    }
+    // A symbol before `=`, or a line number.
+    let statement = behind.split_once('=').map_or(behind, |(_, statement)| statement).trim_start();
+    let letters = statement.bytes().take_while(u8::is_ascii_alphabetic).count();
+    let rest = statement[letters..].trim_start();
+    letters >= 3 && (rest.is_empty() || rest.starts_with('/') || rest.starts_with("$$"))
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Format, Standard, Tape};
+
+    fn found(text: &str) -> Vec<(&'static str, usize, usize)> {
+        let format = Format::new(Standard::Iso2539, "N3G2X+42Y+32F4M2*").classified("CAM 222");
+        let tape = Tape::new(text, &format);
+        tape.diagnostics().iter().map(|found| (found.id, found.range.start, found.count)).collect()
+    }
+
+    #[test]
+    fn todays_code_is_said_once_at_the_first_point() {
+        assert_eq!(found("G21\nG0 X10.5 Y20. Z5\nG1 Z-1.0 F200\nM30\n"), [("NUM-03", 10, 3)]);
+    }
+
+    #[test]
+    fn one_decimal_sign_is_a_slip() {
+        let slip = found("%\nN001 G00 X+001000 Y+02000\nN002 X+0010.00 M30\n");
+        assert_eq!(slip, [("NUM-03", 39, 1)]);
+        assert_eq!(found("%\nN001 G00 X+0010.00 M30\n"), [("NUM-03", 17, 1)]);
+    }
+
+    #[test]
+    fn apt_and_cldata_are_said_once_at_the_first_statement() {
+        let apt = "$$ A PLATE\nPARTNO/PLATE\nP1 = POINT/10,20\nFROM/P1\nGOTO/ 10., $\n 20., 0.\nFINI\n";
+        assert_eq!(found(apt), [("TAPE-08", 11, 5)]);
+        let cldata = "1,20000,0,PARTNO,'EXAMPLE';\n2,5000,5,'',0,1.,2.,3.;\n3,14000;\n:";
+        assert_eq!(found(cldata), [("TAPE-08", 0, 3)]);
+    }
+
+    #[test]
+    fn a_tape_with_remarks_is_a_tape() {
+        let tape = "PLATE\nFACE/SIDE\n%\nN001 G00 X+001000\nN002 X+000000\nN003 M30\n";
+        assert!(found(tape).iter().all(|found| found.0 != "TAPE-08" || found.1 > 0), "{:?}", found(tape));
+    }
+}
