@@ -45,7 +45,9 @@ export function makeHeader({ store, engine, presets, choose }) {
      * @param {(source: string) => boolean} is
      */
     name(is) {
-      picker.value = presets.find(({ source }) => is(source))?.id ?? '';
+      const preset = presets.find(({ source }) => is(source));
+      picker.value = preset?.id ?? '';
+      picker.title = preset?.about ?? '';
     },
   };
 }

@@ -62,10 +62,24 @@ function makeTabs() {
   return choose;
 }
 
+/**
+ * The views are panels of the tabs where there are tabs, and regions of their own where there are none.
+ * @param {boolean} narrow
+ */
+function nameViews(narrow) {
+  for (const name of TABS) {
+    const view = byId(name, HTMLElement);
+    if (narrow) view.setAttribute('role', 'tabpanel');
+    else view.removeAttribute('role');
+  }
+}
+
 /** @returns {{ showTab: (name: string) => void, narrow: () => boolean }} */
 export function makeLayout() {
   makeDivider();
   const showTab = makeTabs();
   const wide = matchMedia('(min-width: 1000px)');
+  nameViews(!wide.matches);
+  wide.addEventListener('change', () => nameViews(!wide.matches));
   return { showTab, narrow: () => !wide.matches };
 }

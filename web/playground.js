@@ -66,7 +66,7 @@ export function makePlayground({ store, engine, kinds, presets }) {
     store,
     engine,
     presets,
-    choose: ({ source, format, cursor }) => replaceAll(editor, source, format, cursor),
+    choose: (preset) => replaceAll(editor, preset),
   });
   makeThemeButton(store);
   makeLearn();
@@ -120,12 +120,11 @@ export function makePlayground({ store, engine, kinds, presets }) {
     if (here !== undefined && offset === head()) store.set({ here });
   }
 
-  /** @param {Preset} preset */
-  function openFirst({ source, format, cursor }) {
-    replaceAll(editor, source, format, cursor);
+  // When the caller has the playground in hand, to which the engine's answer goes.
+  queueMicrotask(() => {
+    replaceAll(editor, first, { isFirst: true });
     makeHints();
-  }
-  queueMicrotask(() => openFirst(first));
+  });
 
   return {
     current: () => ({ source: editor.state.doc.toString(), format: currentFormat(editor), offset: head() }),

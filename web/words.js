@@ -61,7 +61,7 @@ export function time(seconds) {
 export const degrees = (radians) => `${trimmed(fixed((radians * 180) / Math.PI, 3))}°`;
 
 /** @param {number} millimetres */
-export const metres = (millimetres) => `${fixed(millimetres / 1000, 2)} m`;
+export const metres = (millimetres) => `${fixed(millimetres / 1000, millimetres < 100_000 ? 2 : 0)} m`;
 
 /**
  * "1 block", "12 345 blocks".

@@ -76,6 +76,25 @@ test('a correction is one press, and one undo takes it back', async () => {
   await leave();
 });
 
+test('the first tape cannot be undone; a chosen one can, with its format', async () => {
+  const { page, leave } = await visit(started);
+  const format = page.locator('#format-text');
+  const first = await format.innerText();
+  await page.locator('.cm-content').focus();
+  await page.keyboard.press('Control+z');
+  assert.match((await lines(page)).join('\n'), /N006\tG02/);
+  await page.locator('#preset').selectOption({ index: 2 });
+  await quiet(page);
+  assert.notEqual(await format.innerText(), first);
+  assert.match(await page.locator('#span-caption').innerText(), /^Parabola of N006/);
+  await page.locator('.cm-content').focus();
+  await page.keyboard.press('Control+z');
+  await quiet(page);
+  assert.equal(await format.innerText(), first);
+  assert.match((await lines(page)).join('\n'), /N006\tG02/);
+  await leave();
+});
+
 test('layout stays where it is when problems come and go', async () => {
   const { page, leave } = await visit(started);
   const boxes = () =>

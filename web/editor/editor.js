@@ -1,6 +1,6 @@
 // The listing of the tape: text and format in one state with one undo.
 import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
-import { Annotation, EditorState } from '@codemirror/state';
+import { Annotation, EditorState, Transaction } from '@codemirror/state';
 import { drawSelection, EditorView, highlightSpecialChars, keymap } from '@codemirror/view';
 import sharedStyle from '../style/shared.css?inline';
 import { formatField, formatWithUndo, setFormat } from './format-field.js';
@@ -88,18 +88,18 @@ export const currentFormat = (view) => view.state.field(formatField);
 export const changeFormat = (view, format) => view.dispatch({ effects: setFormat.of(format), userEvent: 'input.format' });
 
 /**
- * Replaces the text and the format, undone as one.
+ * Replaces the text and the format, undone as one; the first tape cannot be undone.
  * @param {EditorView} view
- * @param {string} source
- * @param {Format} format
- * @param {number} cursor
+ * @param {{ source: string, format: Format, cursor: number }} tape
+ * @param {{ isFirst?: boolean }} [options]
  */
-export function replaceAll(view, source, format, cursor) {
+export function replaceAll(view, { source, format, cursor }, { isFirst = false } = {}) {
   view.dispatch({
     changes: { from: 0, to: view.state.doc.length, insert: source },
     selection: { anchor: Math.min(cursor, source.length) },
     effects: [setFormat.of(format), EditorView.scrollIntoView(Math.min(cursor, source.length), { y: 'center' })],
     userEvent: 'input.replace',
+    annotations: isFirst ? Transaction.addToHistory.of(false) : [],
   });
 }
 

@@ -54,6 +54,7 @@ export function drawStrip(context, picture) {
   context.imageSmoothingEnabled = false;
   drawBareTape(context, frame);
   for (let row = Math.max(0, first); row <= Math.min(last, rows - 1); row += 1) drawRow(context, frame, row);
+  drawMarks(context, frame);
   drawNames(context, frame);
   drawHead(context, frame);
 }
@@ -100,7 +101,6 @@ function drawRow(context, frame, row) {
     context.fillRect(x, paper + paperHeight - rail, pitch, rail);
   }
   if (known.kind > 0) drawBand(context, frame, kinds[known.kind - 1], x, paper - Math.round((BAND + 3) * ratio));
-  if (known.mark > 0) drawMark(context, frame, x, MARKS[known.mark]);
 
   const { label } = meanings[known.byte];
   const bad = known.mark === 3;
@@ -152,21 +152,40 @@ function drawBand(context, { colours, sheet, ratio }, kind, x, y) {
 }
 
 /**
- * A ring around a row with a problem, and the shape of its severity below it.
+ * One ring around neighbouring rows of one severity, and its shape below the first of them.
  * @param {CanvasRenderingContext2D} context
  * @param {Frame} frame
- * @param {number} x
- * @param {0 | 'info' | 'warning' | 'error'} severity
  */
-function drawMark(context, { sheet, colours, top, ratio }, x, severity) {
-  if (severity === 0) return;
+function drawMarks(context, frame) {
+  const { windows, first, last, rows } = frame;
+  const end = Math.min(last, rows - 1) + 1;
+  for (let row = Math.max(0, first); row < end; ) {
+    const mark = windows.row(row)?.mark ?? 0;
+    const from = row;
+    row += 1;
+    while (row < end && (windows.row(row)?.mark ?? 0) === mark) row += 1;
+    const severity = MARKS[mark];
+    if (severity !== 0) drawMark(context, frame, from, row, severity);
+  }
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Frame} frame
+ * @param {number} from
+ * @param {number} to  behind the last row
+ * @param {'info' | 'warning' | 'error'} severity
+ */
+function drawMark(context, { sheet, colours, top, ratio, xOf }, from, to, severity) {
   const { pitch, paperTop, paperHeight, columnHeight } = sheet;
-  const line = Math.max(1, Math.round(1.5 * ratio));
+  const line = Math.max(1, Math.round(1.75 * ratio));
+  const x = xOf(from);
+  const width = xOf(to) - x;
   context.strokeStyle = colours[severity];
   context.lineWidth = line;
-  context.setLineDash(severity === 'error' ? [] : severity === 'warning' ? [4 * ratio, 2 * ratio] : [ratio, 2 * ratio]);
+  context.setLineDash(severity === 'error' ? [] : severity === 'warning' ? [5 * ratio, 2.5 * ratio] : [1.5 * ratio, 2.5 * ratio]);
   context.beginPath();
-  context.roundRect(x + line / 2, top + paperTop + line / 2, pitch - line, paperHeight - line, pitch * 0.3);
+  context.roundRect(x + line / 2, top + paperTop + line / 2, width - line, paperHeight - line, pitch * 0.35);
   context.stroke();
   context.setLineDash([]);
   drawShape(context, severity, x + pitch / 2, top + columnHeight + 18 * ratio, 4 * ratio, colours[`${severity}OnBench`]);
