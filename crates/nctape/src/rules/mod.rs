@@ -56,6 +56,7 @@ pub static ALL: &[&Rule] = &[
     &sequence::repeated::RULE,
     &sequence::falling::RULE,
     &sequence::alignment::RULE,
+    &sequence::incomplete_alignment::RULE,
     &word::order::RULE,
     &word::dimension_order::RULE,
     &word::repeated::RULE,
@@ -67,7 +68,14 @@ pub static ALL: &[&Rule] = &[
     &word::unassigned_letter::RULE,
     &word::letter_o::RULE,
     &word::parameters::RULE,
+    &word::undeclared_meaning::RULE,
+    &word::axis_feed::RULE,
+    &word::common_feed::RULE,
+    &word::contouring_feed::RULE,
+    &word::trailing_tabs::RULE,
     &tab::in_address_system::RULE,
+    &tab::too_many::RULE,
+    &tab::mixed::RULE,
     &number::wrong_count::RULE,
     &number::too_many::RULE,
     &number::decimal_sign::RULE,
@@ -153,6 +161,8 @@ pub(crate) fn check_block(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     word::repeated::check(block, sink);
     word::two_miscellaneous::check(block, sink);
     word::two_tools::check(block, sink);
+    word::trailing_tabs::check(block, sink);
+    tab::too_many::check(block, sink);
     tape::last_end::check(block, sink);
     tape::empty_block::check(block, sink);
     compensation::unit_vector::check(block, sink);
@@ -202,7 +212,14 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     tape::unreached::check(tape, sink);
     sequence::repeated::check(tape, sink);
     sequence::falling::check(tape, sink);
+    sequence::incomplete_alignment::check(tape, sink);
+    for block in word::feed_words(tape) {
+        word::axis_feed::check(&block, tape, sink);
+        word::common_feed::check(&block, tape, sink);
+        word::contouring_feed::check(&block, tape, sink);
+    }
     tab::in_address_system::check(tape, sink);
+    tab::mixed::check(tape, sink);
     function::no_interpolation::check(tape, sink);
     function::not_carried_out::check(tape, sink);
     motion::full_circle::check(tape, sink);

@@ -28,7 +28,7 @@ pub(crate) mod zero_mark;
 
 use crate::diagnostic::Sink;
 use crate::format::{Classification, Control, Detail, FormatDiagnostic, Standard};
-use crate::rules::Rule;
+use crate::rules::{Rule, word};
 
 /// Judges a classification of an ISO format.
 pub(crate) fn check_classification(found: &Classification, _: &Control, sink: &mut Sink<'_>) {
@@ -62,6 +62,7 @@ pub(crate) fn check_detail(detail: &Detail, control: &Control, sink: &mut Sink<'
     both_in_1058::check(detail, control, sink);
     unassigned_letters::check(detail, control, sink);
     parameters_in_1058::check(detail, control, sink);
+    word::undeclared_meaning::check(detail, control, sink);
 }
 
 /// Reports a letter of the classification that is not one of those allowed at its place.

@@ -1,5 +1,8 @@
 //! WORD: addresses and their order.
 
+pub(crate) mod axis_feed;
+pub(crate) mod common_feed;
+pub(crate) mod contouring_feed;
 pub(crate) mod dimension_order;
 pub(crate) mod letter_o;
 pub(crate) mod no_address;
@@ -7,13 +10,17 @@ pub(crate) mod no_digits;
 pub(crate) mod order;
 pub(crate) mod parameters;
 pub(crate) mod repeated;
+pub(crate) mod trailing_tabs;
 pub(crate) mod two_miscellaneous;
 pub(crate) mod two_tools;
 pub(crate) mod unassigned_letter;
+pub(crate) mod undeclared_meaning;
 pub(crate) mod unknown_address;
 
 use crate::format::Control;
-use crate::read::Word;
+use crate::function::{Group, Preparatory, preparatory};
+use crate::read::{Block, Word};
+use crate::rules::TapeView;
 
 /// Letters that rules of their own speak of: the general rule on unknown addresses keeps quiet about them.
 fn has_rule_of_its_own(word: &Word, control: &Control) -> bool {
@@ -29,4 +36,43 @@ fn is_known(word: &Word, control: &Control) -> bool {
     control.designation(word.address).is_some()
         || word.address == b':' && control.designation(b'N').is_some()
         || crate::rules::is_declared_letter(word.letter(), control)
+}
+
+/// A block with feed words, as the rules on their place see it.
+pub(crate) struct FeedWords<'a> {
+    block: &'a Block,
+    words: &'a [Word],
+    /// The places of the feed words among the words.
+    feeds: Vec<usize>,
+    /// The block cuts along a path: an interpolation code is in force.
+    contouring: bool,
+}
+
+impl FeedWords<'_> {
+    fn is_dimension(&self, place: usize, control: &Control) -> bool {
+        control.designation(self.words[place].address).is_some_and(|word| word.dimension)
+    }
+}
+
+/// The blocks of a tape that have feed words.
+pub(crate) fn feed_words<'a>(tape: &TapeView<'a>) -> impl Iterator<Item = FeedWords<'a>> {
+    let (reading, control) = (tape.reading, tape.control);
+    let mut contouring = false;
+    reading.blocks.iter().filter_map(move |block| {
+        let words = reading.words(block);
+        for code in words.iter().filter_map(|word| word.function(b'G')) {
+            if let Preparatory::Assigned(Group::Motion, _) = preparatory(code) {
+                contouring = code != 0;
+            }
+        }
+        let feeds = words.iter().enumerate().filter(|(_, word)| is_feed(word, control)).map(|(place, _)| place);
+        let feeds: Vec<usize> = feeds.collect();
+        (!feeds.is_empty()).then_some(FeedWords { block, words, feeds, contouring })
+    })
+}
+
+/// F, and E and D where the detail makes them the second and the third feed function (B.1).
+fn is_feed(word: &Word, control: &Control) -> bool {
+    let function = || control.designation(word.address).is_some_and(|designation| !designation.dimension);
+    word.address == b'F' || matches!(word.address, b'D' | b'E') && function()
 }

@@ -1,0 +1,52 @@
+//! SEQ-11: the block of an alignment function does not state all that is needed to begin.
+
+use crate::rules::prelude::*;
+
+/// The rule.
+pub static RULE: Rule = Rule {
+    name: "incomplete-alignment-block",
+    title: "The block of an alignment function does not state all that is needed to begin.",
+    verdicts: Verdicts::all("SEQ-11", Severity::Warning),
+    clauses: &[Clause::Both("B.1 note 2")],
+    page: page!("SEQ-11"),
+};
+
+pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
+    let control = tape.control;
+    let blocks = &tape.reading.blocks;
+    let has = |index: usize, letter: char| {
+        let words = blocks.get(index).map(|block| tape.reading.words(block));
+        words.is_some_and(|words| words.iter().any(|word| word.letter() == letter))
+    };
+    let mut used = None;
+    for (index, block) in blocks.iter().enumerate() {
+        let Some(word) = tape.reading.words(block).first().filter(|word| word.address == b':') else { continue };
+        // What the tape never uses is not missed: no T without a tool changer.
+        let used: &[bool; 128] = used.get_or_insert_with(|| used_letters(tape));
+        let is_used = |letter: char| used[letter as usize & 127];
+        let functions = "GFSTM".chars().filter(|&letter| {
+            let known = control.designation(letter as u8).is_some();
+            known && (is_used(letter) || letter == 'G') && !has(index, letter)
+        });
+        let axes = control.axes.iter().filter(|axis| axis.sign.is_some()).map(|axis| axis.letter);
+        let axes = axes.filter(|&axis| is_used(axis) && !has(index, axis) && !has(index + 1, axis));
+        let missing: Vec<String> = functions.chain(axes).map(String::from).collect();
+        if missing.is_empty() {
+            continue;
+        }
+        let message = format!(
+            "The alignment function begins a part that can be started on its own, but {} {} not stated again in its \
+             block. Add them, or use N.",
+            missing.join(", "),
+            if missing.len() == 1 { "is" } else { "are" }
+        );
+        sink.report(&RULE, tape.range(block, word), message);
+    }
+}
+
+/// The letters that are an address on the tape.
+fn used_letters(tape: &TapeView<'_>) -> [bool; 128] {
+    let mut used = [false; 128];
+    tape.words().for_each(|(_, word)| used[usize::from(word.address) & 127] = true);
+    used
+}
