@@ -14,6 +14,10 @@ pub static RULE: Rule = Rule {
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     for &index in &tape.reading.unled {
         let block = &tape.reading.blocks[index];
+        // Behind a program without its end % starts no other one: TAPE-05.
+        if index > 0 && !tape.execution.ends.iter().any(|&(last, ended)| ended && last + 1 == index) {
+            continue;
+        }
         // An end of block that stands before the program start character is there, but too early: TAPE-04.
         if super::late_program_start::marks(tape).any(|mark| mark.range.end <= block.range.start) {
             continue;
