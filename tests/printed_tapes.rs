@@ -26,7 +26,10 @@ fn no_preset_has_an_error_or_a_warning_and_no_format_of_theirs_either() {
         let found: Vec<_> = tape.diagnostics().iter().filter(|found| found.severity > Severity::Info).collect();
         assert!(found.is_empty(), "{}: {found:?}", preset.id);
         let explanation = nctape::format::explain(&preset.format);
-        assert!(explanation.diagnostics.is_empty(), "{}: {:?}", preset.id, explanation.diagnostics);
+        let found: Vec<&str> = explanation.diagnostics.iter().map(|found| found.diagnostic.id).collect();
+        // Y-1702 prints a shorthand and a detail that disagree, by any reading of the shorthand known.
+        let printed: &[&str] = if preset.id == "y-1702-block" { &["SPEC-22"] } else { &[] };
+        assert_eq!(found, printed, "{}: {:?}", preset.id, explanation.diagnostics);
         assert!(preset.source.is_char_boundary(preset.cursor) && preset.cursor > 0, "{}", preset.id);
     }
 }

@@ -2,13 +2,15 @@
 
 use crate::format::{ArcCentre, Plane};
 use crate::span::Arc;
-use std::f64::consts::TAU;
+use std::f64::consts::{FRAC_PI_2, TAU};
 
 /// Why an arc cannot be computed from its parameters.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum ArcFault {
     /// Both parameters of the plane are zero.
     ZeroRadius,
+    /// An arc of a control that stays within one quadrant crosses into another.
+    LeavesQuadrant,
     /// The end is not on the circle.
     RadiusMismatch { start: f64, end: f64, tolerance: f64, fits: Option<ArcCentre> },
 }
@@ -63,6 +65,16 @@ impl ArcBlock {
             start_angle: libm::atan2(from[1], from[0]),
             sweep,
         })
+    }
+
+    /// The arc stays within a quadrant about its centre, but for the rounding of the tape.
+    pub(crate) fn is_in_quadrant(&self, arc: &Arc) -> bool {
+        let from = [self.start[0] - arc.centre[0], self.start[1] - arc.centre[1]];
+        let to = [self.end[0] - arc.centre[0], self.end[1] - arc.centre[1]];
+        let slack = self.tolerance * arc.start_radius.max(arc.end_radius);
+        // A quarter turn whose ends are rounded may come out a trace longer.
+        arc.sweep.abs() <= FRAC_PI_2 + self.tolerance / arc.start_radius
+            && (0..2).all(|axis| from[axis] * to[axis] >= -slack)
     }
 
     /// The arc through an intermediate point: `None` where the three points coincide or lie on a line.
@@ -147,6 +159,19 @@ mod tests {
         // Three quarters: (1, 0), (-1, 0), (0, -1) about the origin, counter-clockwise.
         let arc = block([1.0, 0.0], [0.0, -1.0], true).through([-1.0, 0.0]).expect("a circle");
         assert!((arc.sweep - 1.5 * PI).abs() < 1e-12);
+    }
+
+    #[test]
+    fn an_arc_within_a_quadrant() {
+        // By hand, unit circle: a quarter from an axis to the next; 60 degrees that cross the Y axis; half a turn.
+        let (sine, cosine) = (0.5, 0.75_f64.sqrt());
+        for (start, end, within) in
+            [([1.0, 0.0], [0.0, 1.0], true), ([sine, cosine], [-sine, cosine], false), ([1.0, 0.0], [-1.0, 0.0], false)]
+        {
+            let block = block(start, end, false);
+            let arc = block.about([0.0, 0.0]).expect("on the circle");
+            assert_eq!(block.is_in_quadrant(&arc), within, "{start:?} {end:?}");
+        }
     }
 
     #[test]

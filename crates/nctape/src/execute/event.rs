@@ -37,12 +37,26 @@ pub(crate) enum EventKind {
     OtherWay { clockwise: bool },
     /// The tangent intersection point, or the intermediate point, lies on the chord.
     Degenerate { intermediate: bool },
+    /// The intermediate point of a parabola is far from opposite the middle of the chord.
+    Skewed,
     /// Interpolation parameters where none are used.
     IdleParameter { word: usize, code: u8 },
     /// A motion block whose dimension words move nothing.
     NoMotion,
     /// A position beyond what can be counted.
     Overflow { word: usize },
+    /// A dimension word takes its axis to `at`, beyond its travel.
+    OutOfTravel { word: usize, at: f64, travel: (f64, f64) },
+    /// A symbolic feed or spindle speed code that has no value.
+    Unlisted { word: usize },
+    /// An arithmetic code whose second digit is zero though not all are.
+    SecondDigitZero { word: usize },
+    /// The feed is above the greatest one of the machine: by its F word, or by the length and time of the block.
+    TooFast { word: Option<usize>, feed: f64 },
+    /// Cutting motion under the geometric code 00, which is stop.
+    StopFeed,
+    /// The geometric code 99, which is rapid traverse, as a spindle speed.
+    RapidSpeed { word: usize },
     /// A preparatory function whose effect is not computed.
     NotCarriedOut(Limit),
 }

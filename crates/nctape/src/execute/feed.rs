@@ -89,6 +89,45 @@ pub(crate) fn read_speed(word: &Word, control: &Control) -> Option<f64> {
     }
 }
 
+/// What is wrong with the code of an F or S word, its count of digits apart.
+pub(crate) enum CodeFault {
+    /// A symbolic code without a value.
+    Unlisted,
+    /// An arithmetic code whose second digit is zero though not all are.
+    SecondDigitZero,
+    /// The geometric code 99, rapid.
+    Rapid,
+}
+
+/// What is wrong with an F word under a coding.
+pub(crate) fn feed_fault(word: &Word, control: &Control, coding: FeedCoding) -> Option<CodeFault> {
+    let code = word.value?;
+    match coding {
+        FeedCoding::Symbolic => unlisted(control.format.itemized.symbolic_feeds.as_ref(), code),
+        FeedCoding::Arithmetic => second_digit_zero(code, word.digits),
+        FeedCoding::Geometric | FeedCoding::Direct | FeedCoding::TimeReciprocal => None,
+    }
+}
+
+/// What is wrong with an S word under the control's coding.
+pub(crate) fn speed_fault(word: &Word, control: &Control) -> Option<CodeFault> {
+    let code = word.value?;
+    match control.spindle {
+        SpindleCoding::Symbolic => unlisted(control.format.itemized.symbolic_speeds.as_ref(), code),
+        SpindleCoding::Arithmetic => second_digit_zero(code, word.digits),
+        SpindleCoding::Geometric => (code == 99 && word.digits == 2).then_some(CodeFault::Rapid),
+        SpindleCoding::Direct => None,
+    }
+}
+
+fn unlisted(table: Option<&std::collections::BTreeMap<String, f64>>, code: i64) -> Option<CodeFault> {
+    table.and_then(|table| symbolic(table, code)).is_none().then_some(CodeFault::Unlisted)
+}
+
+fn second_digit_zero(code: i64, digits: u16) -> Option<CodeFault> {
+    ((3..=5).contains(&digits) && arithmetic(code, digits).is_none()).then_some(CodeFault::SecondDigitZero)
+}
+
 /// The value of a symbolic code: the table may write "7" or "07".
 fn symbolic(table: &std::collections::BTreeMap<String, f64>, code: i64) -> Option<f64> {
     table.iter().find(|(name, _)| name.trim().parse() == Ok(code)).map(|(_, value)| *value)

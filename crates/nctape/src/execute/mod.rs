@@ -76,8 +76,8 @@ fn run_block(state: &mut State<'_>, index: usize, block: &Block, words: &[Word])
     }
     for (place, word) in words.iter().enumerate() {
         match word.address {
-            b'F' => state.take_feed(word),
-            b'S' => state.take_speed(word),
+            b'F' => state.take_feed(place, word),
+            b'S' => state.take_speed(place, word),
             b'M' => ended |= matches!(word.value, Some(2 | 30)),
             _ => state.take_dimension(place, word),
         }

@@ -7,7 +7,6 @@ use super::parabola::{Parabola, norm, subtract};
 use super::state::{Motion, Pending, State};
 use crate::format::{ArcCentre, ArcFeed, ArcParameters, ParabolaParameters, Standard, power_of_ten};
 use crate::span::{Arc, Geometry, Span, SpanKind};
-use std::f64::consts::PI;
 
 impl State<'_> {
     /// Carries out the motion of the block whose words were taken.
@@ -26,6 +25,7 @@ impl State<'_> {
             if self.control.standard() == Standard::Iso1058 { Motion::Rapid } else { Motion::Line { thread: false } }
         });
         self.count_axes(motion);
+        self.check_travel();
         match motion {
             Motion::Rapid => self.straight(SpanKind::Rapid, 0),
             Motion::Line { thread } => self.straight(SpanKind::Line, if thread { 33 } else { 1 }),
@@ -64,6 +64,26 @@ impl State<'_> {
         if moving.chars().count() > usize::from(allowed) {
             let positioning = motion == Motion::Rapid || self.control.standard() == Standard::Iso1058;
             self.note(EventKind::TooManyAxes { moving, allowed, positioning });
+        }
+    }
+
+    /// Notes the words that take their axis beyond its travel. Where incremental words go on beyond it, only the one
+    /// that left it is at fault.
+    fn check_travel(&mut self) {
+        let control = self.control;
+        let Some(travels) = &control.format.itemized.travel else { return };
+        for (index, axis) in control.axes.iter().enumerate() {
+            let (Some(word), Some(&travel)) = (self.words[index], travels.get(&axis.letter.to_string())) else {
+                continue;
+            };
+            let beyond = |increments: i64| {
+                let at = self.in_unit(index, increments);
+                (at < travel.0 || at > travel.1).then_some(at)
+            };
+            let known = self.is_incremental(index) && beyond(self.position[index]).is_some();
+            if let Some(at) = beyond(self.target[index]).filter(|_| !known) {
+                self.note(EventKind::OutOfTravel { word, at, travel });
+            }
         }
     }
 
@@ -163,25 +183,18 @@ impl State<'_> {
     /// Unsigned parameters: of the four centres, the one whose arc ends on its circle within a quarter turn.
     fn arc_in_quadrant(&self, block: &ArcBlock, axes: [usize; 2]) -> Result<Arc, ArcFault> {
         let sides = [ArcCentre::FromStart, ArcCentre::ToStart];
-        let mut result = None;
+        let (mut fault, mut leaves) = (None, false);
         for first in sides {
             for second in sides {
                 let centre = [self.coordinate(axes[0], first), self.coordinate(axes[1], second)];
-                let arc = block.about(centre);
-                // A quarter turn whose ends are rounded may come out a trace longer.
-                let slack = block.tolerance / arc.as_ref().map_or(1.0, |arc| arc.start_radius);
-                if arc.as_ref().is_ok_and(|arc| arc.sweep.abs() <= PI / 2.0 + slack) {
-                    return arc;
+                match block.about(centre) {
+                    Ok(arc) if block.is_in_quadrant(&arc) => return Ok(arc),
+                    Ok(_) => leaves = true,
+                    Err(other) => fault = fault.or(Some(other)),
                 }
-                result = result.or(Some(arc));
             }
         }
-        match result {
-            Some(Err(fault)) => Err(fault),
-            _ => {
-                block.about(axes.map(|axis| self.coordinate(axis, ArcCentre::FromStart))).and(Err(ArcFault::ZeroRadius))
-            }
-        }
+        Err(fault.filter(|_| !leaves).unwrap_or(ArcFault::LeavesQuadrant))
     }
 
     /// How the parameter of an axis is read: `as-dimensions` resolved.
@@ -294,6 +307,9 @@ impl State<'_> {
             self.substitute(start, blocks.0);
             return;
         }
+        if intermediate && curve.is_skewed() {
+            self.events.push(Event { block: blocks.0, kind: EventKind::Skewed });
+        }
         let geometry = Geometry::Parabola { tangent: curve.tangent };
         self.push(SpanKind::Parabola, blocks, start, geometry, None);
     }
@@ -341,6 +357,12 @@ impl State<'_> {
         let minutes = minutes.filter(|minutes| minutes.is_finite() && *minutes > 0.0);
         let feed = minutes.map(|minutes| length / minutes).filter(|feed| feed.is_finite());
         let seconds = minutes.map(|minutes| minutes * 60.0).filter(|seconds| seconds.is_finite());
+        // A feed per minute was judged at its word; a rapid move has none.
+        if let (Some(feed), Feed::Reciprocal(_) | Feed::PerRevolution(_)) = (feed.filter(|_| from != to), self.feed)
+            && kind != SpanKind::Rapid
+        {
+            self.note_speed(None, feed);
+        }
         let span = Span {
             kind,
             blocks,
@@ -392,6 +414,10 @@ impl State<'_> {
             Feed::Unknown => None,
             // The feed of a thread is its lead, I, J or K.
             _ if self.motion == Some(Motion::Line { thread: true }) => None,
+            Feed::PerMinute(_) | Feed::PerRevolution(_) if self.is_geometric() => {
+                self.note(EventKind::StopFeed);
+                None
+            }
             _ => {
                 self.note(EventKind::NoFeed);
                 None

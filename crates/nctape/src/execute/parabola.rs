@@ -38,6 +38,13 @@ impl Parabola {
         area <= tolerance * norm(chord)
     }
 
+    /// The point half way stands opposite a point of the chord that is more than a quarter of it off its middle.
+    pub(crate) fn is_skewed(&self) -> bool {
+        let chord = subtract(self.end, self.start);
+        // The point half way less the middle of the chord is -D/4.
+        dot(self.d(), chord).abs() > dot(chord, chord)
+    }
+
     /// The length of the curve: the integral of |2(A + tD)| in closed form.
     pub(crate) fn length(&self) -> f64 {
         let (a, d) = (self.a(), self.d());
@@ -128,6 +135,15 @@ mod tests {
             let parabola = Parabola { start, tangent, end };
             let (length, truth) = (parabola.length(), simpson(&parabola));
             assert!((length - truth).abs() <= 1e-9 * truth, "{length} {truth}");
+        }
+    }
+
+    #[test]
+    fn skew_is_how_far_the_intermediate_point_is_from_the_middle() {
+        // By hand: opposite 5, 7.4 and 7.6 of a chord of 10; the quarter is reached at 7.5.
+        for (x, skewed) in [(5.0, false), (7.4, false), (7.6, true), (0.0, true)] {
+            let parabola = Parabola::through([0.0, 0.0, 0.0], [x, 2.0, 0.0], [10.0, 0.0, 0.0]);
+            assert_eq!(parabola.is_skewed(), skewed, "{x}");
         }
     }
 

@@ -1,7 +1,7 @@
 //! What the control holds from block to block: modal functions, position, feed.
 
 use super::event::{Event, EventKind, Limit};
-use super::feed::{self, Feed};
+use super::feed::{self, CodeFault, Feed};
 use super::is_carried_out;
 use crate::format::{Control, Dimensions, FeedCoding, FeedUnit, Plane, Sign, Standard, power_of_ten};
 use crate::function::{Group, Preparatory, preparatory};
@@ -150,13 +150,39 @@ impl<'a> State<'a> {
         }
     }
 
-    pub(crate) fn take_feed(&mut self, word: &Word) {
+    pub(crate) fn take_feed(&mut self, place: usize, word: &Word) {
         self.own_feed = true;
         self.feed = feed::read_feed(word, self.control, self.coding, self.unit);
+        self.note_code(place, feed::feed_fault(word, self.control, self.coding));
+        if let Feed::PerMinute(feed) = self.feed {
+            self.note_speed(Some(place), feed);
+        }
     }
 
-    pub(crate) fn take_speed(&mut self, word: &Word) {
+    pub(crate) fn take_speed(&mut self, place: usize, word: &Word) {
         self.speed = feed::read_speed(word, self.control);
+        self.note_code(place, feed::speed_fault(word, self.control));
+    }
+
+    fn note_code(&mut self, word: usize, fault: Option<CodeFault>) {
+        match fault {
+            Some(CodeFault::Unlisted) => self.note(EventKind::Unlisted { word }),
+            Some(CodeFault::SecondDigitZero) => self.note(EventKind::SecondDigitZero { word }),
+            Some(CodeFault::Rapid) => self.note(EventKind::RapidSpeed { word }),
+            None => {}
+        }
+    }
+
+    /// Notes a feed above the greatest one of the machine.
+    pub(crate) fn note_speed(&mut self, word: Option<usize>, feed: f64) {
+        if self.control.format.itemized.maximum_feed.is_some_and(|most| feed > most.0) {
+            self.note(EventKind::TooFast { word, feed });
+        }
+    }
+
+    /// The F word in force is a code of the geometric progression.
+    pub(crate) fn is_geometric(&self) -> bool {
+        self.coding == FeedCoding::Geometric
     }
 
     /// Takes a dimension word or an interpolation parameter; any other word is no concern of the path.

@@ -41,9 +41,11 @@ pub fn explain(format: &Format) -> Explanation {
     let mut found = Vec::new();
     rules::format::check_detail(&control.detail, &control, &mut Sink::new(format.standard, &mut found));
     diagnostics.extend(found.into_iter().map(|d| FormatDiagnostic { path: "detail".to_owned(), diagnostic: d }));
+    rules::format::check_itemized(&control, &mut diagnostics);
     sentences.extend(control.detail.words.iter().map(|word| word_sentence(word, &control)));
     sentences.extend(itemized_sentences(&control));
-    diagnostics.sort_by_key(|found| (found.path == "detail", found.diagnostic.range.start));
+    let place = |path: &str| ["classification", "detail"].iter().position(|field| *field == path).unwrap_or(2);
+    diagnostics.sort_by_key(|found| (place(&found.path), found.diagnostic.range.start));
     Explanation { control, sentences, diagnostics }
 }
 

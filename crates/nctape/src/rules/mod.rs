@@ -89,6 +89,8 @@ pub static ALL: &[&Rule] = &[
     &number::preparatory::RULE,
     &number::miscellaneous::RULE,
     &number::tool::RULE,
+    &number::beyond_a_turn::RULE,
+    &number::out_of_travel::RULE,
     &function::unassigned_preparatory::RULE,
     &function::permanently_unassigned::RULE,
     &function::dimension_mode::RULE,
@@ -104,15 +106,24 @@ pub static ALL: &[&Rule] = &[
     &motion::unfinished_arc::RULE,
     &motion::points_on_a_line::RULE,
     &motion::other_way::RULE,
+    &motion::leaves_quadrant::RULE,
     &motion::full_circle::RULE,
     &motion::unfinished_parabola::RULE,
     &motion::degenerate_parabola::RULE,
+    &motion::skewed_parabola::RULE,
     &motion::idle_parameter::RULE,
     &motion::no_motion::RULE,
     &motion::overflow::RULE,
     &feed::no_own_feed::RULE,
     &feed::arc_feed_not_stated::RULE,
+    &feed::second_digit_zero::RULE,
+    &feed::arithmetic_width::RULE,
+    &feed::geometric_width::RULE,
+    &feed::stop_or_rapid::RULE,
+    &feed::unlisted_code::RULE,
     &feed::no_feed::RULE,
+    &feed::too_fast::RULE,
+    &feed::not_in_1058::RULE,
     &compensation::unit_vector::RULE,
     &format::class_contouring::RULE,
     &format::class_positioning::RULE,
@@ -135,6 +146,7 @@ pub static ALL: &[&Rule] = &[
     &format::both_in_1058::RULE,
     &format::unassigned_letters::RULE,
     &format::parameters_in_1058::RULE,
+    &format::shorthand_disagrees::RULE,
     &format::unknown_field::RULE,
     &format::unusable_value::RULE,
     &format::stray_character::RULE,
@@ -188,6 +200,9 @@ pub(crate) fn check_block(block: &BlockView<'_>, sink: &mut Sink<'_>) {
         number::preparatory::check(word, block, sink);
         number::miscellaneous::check(word, block, sink);
         number::tool::check(word, block, sink);
+        number::beyond_a_turn::check(word, block, sink);
+        feed::arithmetic_width::check(word, block, sink);
+        feed::geometric_width::check(word, block, sink);
         function::unassigned_preparatory::check(word, block, sink);
         function::permanently_unassigned::check(word, block, sink);
         function::unassigned_miscellaneous::check(word, block, sink);
@@ -226,6 +241,8 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     motion::no_motion::check(tape, sink);
     feed::no_own_feed::check(tape, sink);
     feed::arc_feed_not_stated::check(tape, sink);
+    feed::stop_or_rapid::check(tape, sink);
+    feed::unlisted_code::check(tape, sink);
     feed::no_feed::check(tape, sink);
     for event in &tape.execution.events {
         motion::too_many_axes::check(event, tape, sink);
@@ -240,5 +257,10 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         motion::degenerate_parabola::check(event, tape, sink);
         motion::idle_parameter::check(event, tape, sink);
         motion::overflow::check(event, tape, sink);
+        motion::leaves_quadrant::check(event, tape, sink);
+        motion::skewed_parabola::check(event, tape, sink);
+        number::out_of_travel::check(event, tape, sink);
+        feed::second_digit_zero::check(event, tape, sink);
+        feed::too_fast::check(event, tape, sink);
     }
 }

@@ -53,6 +53,11 @@ impl Verdicts {
         Verdicts { iso2539: None, iso1058: Some(Verdict { id, severity }), rs274: None }
     }
 
+    /// A verdict of RS-274 only.
+    pub const fn eia(id: &'static str, severity: Severity) -> Verdicts {
+        Verdicts { iso2539: None, iso1058: None, rs274: Some(Verdict { id, severity }) }
+    }
+
     /// The same, but with another verdict of ISO 1058.
     pub const fn and_iso1058(self, id: &'static str, severity: Severity) -> Verdicts {
         Verdicts { iso1058: Some(Verdict { id, severity }), ..self }

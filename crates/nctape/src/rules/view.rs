@@ -20,6 +20,12 @@ impl TapeView<'_> {
         self.reading.blocks.iter().flat_map(|block| self.reading.words(block).iter().map(move |word| (block, word)))
     }
 
+    /// The block is the end of its program: M02 or M30.
+    pub(crate) fn ends_program(&self, index: usize) -> bool {
+        let ends = &self.execution.ends;
+        ends.binary_search_by_key(&index, |end| end.0).is_ok_and(|at| ends[at].1)
+    }
+
     /// The text ends in a comment that nothing closes.
     pub(crate) fn ends_in_comment(&self) -> bool {
         Listing::new(self.text).last().is_some_and(|last| last.comment || last.mark == Mark::Character('('))
@@ -53,6 +59,12 @@ impl TapeView<'_> {
                 self.range(block, first).start..self.range(block, last).end
             }
         }
+    }
+
+    /// A word of a block, by its place there, and where it stands in the text.
+    pub(crate) fn word(&self, index: usize, place: usize) -> Option<(Range<usize>, &Word)> {
+        let block = &self.reading.blocks[index];
+        self.reading.words(block).get(place).map(|word| (self.range(block, word), word))
     }
 
     /// The word of a block that gives a function; the whole block where none does.

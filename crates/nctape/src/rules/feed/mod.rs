@@ -1,5 +1,30 @@
 //! FEED: feed and spindle speed.
 
 pub(crate) mod arc_feed_not_stated;
+pub(crate) mod arithmetic_width;
+pub(crate) mod geometric_width;
 pub(crate) mod no_feed;
 pub(crate) mod no_own_feed;
+pub(crate) mod not_in_1058;
+pub(crate) mod second_digit_zero;
+pub(crate) mod stop_or_rapid;
+pub(crate) mod too_fast;
+pub(crate) mod unlisted_code;
+
+use crate::format::{Control, FeedCoding, SpindleCoding};
+
+/// A coding of speeds that fixes how many digits a word has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Coding {
+    Arithmetic,
+    Geometric,
+}
+
+/// The coding of F or S, where it fixes how many digits the word has.
+pub(super) fn coding(address: u8, control: &Control) -> Option<Coding> {
+    match (address, control.feed, control.spindle) {
+        (b'F', FeedCoding::Arithmetic, _) | (b'S', _, SpindleCoding::Arithmetic) => Some(Coding::Arithmetic),
+        (b'F', FeedCoding::Geometric, _) | (b'S', _, SpindleCoding::Geometric) => Some(Coding::Geometric),
+        _ => None,
+    }
+}

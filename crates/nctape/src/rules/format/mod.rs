@@ -18,6 +18,7 @@ pub(crate) mod no_asterisk;
 pub(crate) mod parameters_in_1058;
 pub(crate) mod sequence_not_three;
 pub(crate) mod short_sequence;
+pub(crate) mod shorthand_disagrees;
 pub(crate) mod stray_character;
 pub(crate) mod tabs_disagree;
 pub(crate) mod two_digit_functions;
@@ -62,7 +63,13 @@ pub(crate) fn check_detail(detail: &Detail, control: &Control, sink: &mut Sink<'
     both_in_1058::check(detail, control, sink);
     unassigned_letters::check(detail, control, sink);
     parameters_in_1058::check(detail, control, sink);
+    shorthand_disagrees::check(detail, control, sink);
     word::undeclared_meaning::check(detail, control, sink);
+}
+
+/// Judges the itemized data.
+pub(crate) fn check_itemized(control: &Control, problems: &mut Vec<FormatDiagnostic>) {
+    super::feed::not_in_1058::check(control, problems);
 }
 
 /// Reports a letter of the classification that is not one of those allowed at its place.
@@ -87,7 +94,7 @@ fn check_letter(
 }
 
 /// Reports a field of the format as a whole.
-fn report_field(
+pub(super) fn report_field(
     rule: &'static Rule,
     standard: Standard,
     path: &str,

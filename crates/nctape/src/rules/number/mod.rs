@@ -1,9 +1,11 @@
 //! NUM: digits and signs.
 
+pub(crate) mod beyond_a_turn;
 pub(crate) mod decimal_sign;
 pub(crate) mod incremental_sign_missing;
 pub(crate) mod minus_zero;
 pub(crate) mod miscellaneous;
+pub(crate) mod out_of_travel;
 pub(crate) mod preparatory;
 pub(crate) mod sign_forbidden;
 pub(crate) mod sign_inside;

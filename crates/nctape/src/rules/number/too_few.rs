@@ -13,6 +13,10 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let Some(designation) = block.control.designation(word.address) else { return };
+    // FEED-07 and FEED-09 name the code that has not its digits.
+    if crate::rules::feed::coding(word.address, block.control).is_some() {
+        return;
+    }
     let wanted = u16::from(designation.width());
     if matches!(word.address, b'F' | b'S') && word.fault == NumberFault::None && word.digits < wanted {
         let message = format!(

@@ -1,0 +1,31 @@
+//! FEED-16: ISO 1058 has no such coding of feeds and speeds.
+
+use crate::format::{FeedCoding, FormatDiagnostic, SpindleCoding};
+use crate::rules::format::report_field;
+use crate::rules::prelude::*;
+
+/// The rule.
+pub static RULE: Rule = Rule {
+    name: "coding-not-in-positioning-format",
+    title: "ISO 1058 has no such coding of feeds and speeds.",
+    verdicts: Verdicts::positioning("FEED-16", Severity::Error),
+    clauses: &[Clause::Iso1058("annex A")],
+    page: page!("FEED-16"),
+};
+
+pub(crate) fn check(control: &Control, problems: &mut Vec<FormatDiagnostic>) {
+    let stated = &control.format.itemized;
+    let mut report = |path: &str, coding: &str| {
+        let message = format!(
+            "{coding} is a coding of ISO 2539; ISO 1058 has the arithmetic (3 to 5 digits), the geometric (2) and the \
+             symbolic one (1). State one of them."
+        );
+        report_field(&RULE, control.standard(), path, &message, problems);
+    };
+    if let Some(coding @ (FeedCoding::TimeReciprocal | FeedCoding::Direct)) = stated.feed {
+        report("itemized.feed", coding.word());
+    }
+    if let Some(coding @ SpindleCoding::Direct) = stated.spindle {
+        report("itemized.spindle", coding.word());
+    }
+}
