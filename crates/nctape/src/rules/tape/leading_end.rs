@@ -15,11 +15,11 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     for &index in &tape.reading.unled {
         let block = &tape.reading.blocks[index];
         // Behind a program without its end % starts no other one: TAPE-05.
-        if index > 0 && !tape.execution.ends.iter().any(|&(last, ended)| ended && last + 1 == index) {
+        if index > 0 && !tape.ends_program(index - 1) {
             continue;
         }
         // An end of block that stands before the program start character is there, but too early: TAPE-04.
-        if super::late_program_start::marks(tape).any(|mark| mark.range.end <= block.range.start) {
+        if index == 0 && super::late_program_start::marks(tape).next().is_some() {
             continue;
         }
         let at = block.range.start;

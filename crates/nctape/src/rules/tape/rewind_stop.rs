@@ -15,10 +15,10 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     for mark in &tape.reading.programs {
-        // Between programs that each have their end it starts the next one; at the end of the tape it is never rewound over.
-        let ended = tape.execution.ends.iter().any(|&(last, ended)| ended && last + 1 == mark.blocks_before);
-        let last = mark.blocks_before == tape.reading.blocks.len();
-        if mark.blocks_before > 0 && !last && !ended {
+        // Between programs that each have their end it starts the next one; at the end of the tape it is never rewound
+        // over.
+        let before = mark.blocks_before;
+        if before > 0 && before < tape.reading.blocks.len() && !tape.ends_program(before - 1) {
             report(mark.range.clone(), sink);
         }
     }
