@@ -61,6 +61,12 @@ impl TapeView<'_> {
         }
     }
 
+    /// A word of a block, by its place there, and where it stands in the text.
+    pub(crate) fn word(&self, index: usize, place: usize) -> Option<(Range<usize>, &Word)> {
+        let block = &self.reading.blocks[index];
+        self.reading.words(block).get(place).map(|word| (self.range(block, word), word))
+    }
+
     /// The word of a block that gives a function; the whole block where none does.
     pub(crate) fn function(&self, index: usize, address: u8, code: u8) -> Range<usize> {
         let block = &self.reading.blocks[index];
