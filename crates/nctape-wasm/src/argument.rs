@@ -2,9 +2,10 @@
 
 use crate::value::from_js;
 use nctape::Format;
+use nctape::code::{Code, DecodeOptions};
 use nctape::format::FormatDiagnostic;
 use nctape::format::value::Value;
-use wasm_bindgen::JsValue;
+use wasm_bindgen::{JsCast, JsValue};
 
 /// A `TypeError` with a property `field`.
 pub(crate) fn malformed(field: &str, message: &str) -> JsValue {
@@ -22,6 +23,53 @@ pub(crate) fn text(value: &JsValue, field: &str) -> Result<String, JsValue> {
 /// A format, and what is wrong with it.
 pub(crate) fn format(value: &JsValue) -> Result<(Format, Vec<FormatDiagnostic>), JsValue> {
     Format::read(&from_js(value)).map_err(|error| malformed(error.field, &error.message))
+}
+
+/// Bytes: a `Uint8Array`.
+pub(crate) fn bytes(value: &JsValue, field: &str) -> Result<Vec<u8>, JsValue> {
+    let bytes = value.dyn_ref::<js_sys::Uint8Array>();
+    bytes.map(js_sys::Uint8Array::to_vec).ok_or_else(|| malformed(field, "a Uint8Array is wanted"))
+}
+
+/// A code of tape by its word, "iso" or "eia".
+pub(crate) fn code(word: &str) -> Option<Code> {
+    match word {
+        "iso" => Some(Code::Iso),
+        "eia" => Some(Code::Eia),
+        _ => None,
+    }
+}
+
+/// The word of a code.
+pub(crate) fn code_word(code: Code) -> &'static str {
+    match code {
+        Code::Iso => "iso",
+        Code::Eia => "eia",
+    }
+}
+
+/// How rows are to be decoded; left out, the code is recognised and blocks are not counted.
+pub(crate) fn decode_options(value: &JsValue) -> Result<DecodeOptions, JsValue> {
+    let mut options = DecodeOptions::default();
+    if value.is_undefined() || value.is_null() {
+        return Ok(options);
+    }
+    let value = from_js(value);
+    if !matches!(value, Value::Map(_)) {
+        return Err(malformed("options", "a set of fields is wanted"));
+    }
+    match value.get("code") {
+        None => {}
+        Some(Value::Text(word)) if word == "auto" => {}
+        Some(Value::Text(word)) if code(word).is_some() => options.code = code(word),
+        Some(_) => return Err(malformed("code", "\"auto\", \"iso\" or \"eia\" is wanted")),
+    }
+    match value.get("countBlocks") {
+        None => {}
+        Some(Value::Flag(flag)) => options.count_blocks = *flag,
+        Some(_) => return Err(malformed("countBlocks", "true or false is wanted")),
+    }
+    Ok(options)
 }
 
 /// A length above zero.

@@ -175,6 +175,51 @@ pub fn encode(
     Ok(code::encode(&source, control.code, control.end_of_block).bytes)
 }
 
+#[derive(Serialize)]
+struct DecodedView {
+    text: String,
+    code: &'static str,
+    reason: String,
+    issues: Vec<IssueView>,
+}
+
+#[derive(Serialize)]
+struct IssueView {
+    row: usize,
+    byte: u8,
+    rule: &'static str,
+    kind: &'static str,
+    message: String,
+    from: usize,
+    to: usize,
+}
+
+/// The listing of a tape, the code that it is in, and what is wrong with its rows.
+#[wasm_bindgen(unchecked_return_type = "Decoded")]
+pub fn decode(
+    #[wasm_bindgen(unchecked_param_type = "Uint8Array")] rows: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "DecodeOptions | null")] options: &JsValue,
+) -> Result<JsValue, JsValue> {
+    let rows = argument::bytes(rows, "rows")?;
+    let decoded = code::decode(&rows, argument::decode_options(options)?);
+    let offsets = Offsets::new(&decoded.text);
+    let issues = decoded.issues.iter().map(|issue| IssueView {
+        row: issue.row,
+        byte: issue.byte,
+        rule: issue.kind.rule(),
+        kind: issue.kind.name(),
+        message: issue.message.clone(),
+        from: offsets.utf16(issue.range.start),
+        to: offsets.utf16(issue.range.end),
+    });
+    Ok(to_js(&DecodedView {
+        code: argument::code_word(decoded.code),
+        reason: decoded.reason.clone(),
+        issues: issues.collect(),
+        text: decoded.text.clone(),
+    }))
+}
+
 /// The path as points within a tolerance, a length above zero in the unit of the format.
 #[wasm_bindgen(unchecked_return_type = "Points")]
 pub fn points(

@@ -115,10 +115,7 @@ impl Tape {
             edit: self.edit,
             unit: self.tape.control().unit.name(),
             axes: report::axes(&self.tape),
-            code: match self.tape.control().code {
-                nctape::code::Code::Iso => "iso",
-                nctape::code::Code::Eia => "eia",
-            },
+            code: argument::code_word(self.tape.control().code),
             blocks: self.tape.reading().blocks.len(),
             rows: self.tape.rows().bytes.len(),
             spans: spans.len(),

@@ -206,6 +206,23 @@ export interface RowMeaning {
   parity: boolean;
 }
 
+export interface DecodeOptions {
+  /** "auto": recognised by the first end of block and by parity. */
+  code?: "auto" | "iso" | "eia";
+  /** Count the characters of each block, as a control with TV check does: false. */
+  countBlocks?: boolean;
+}
+export interface Decoded {
+  /** The listing; U+FFFD for a row that cannot be read. */
+  text: string;
+  code: "iso" | "eia";
+  /** Why that code. */
+  reason: string;
+  issues: RowIssue[];
+}
+/** Something about one row; `from` and `to` into the decoded text, empty where the row left nothing there. */
+export interface RowIssue { row: number; byte: number; rule: string; kind: string; message: string; from: number; to: number }
+
 /** What a live tape holds, in numbers; `edit` is the number of the edit that it answers. */
 export interface Summary {
   edit: number;

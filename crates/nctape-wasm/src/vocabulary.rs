@@ -1,9 +1,8 @@
 //! Names, texts and defaults about NC that a page shows: it knows none itself.
 
-use crate::argument::malformed;
+use crate::argument::{self, malformed};
 use crate::offsets::Offsets;
 use crate::value::{Plain, to_js};
-use nctape::code::Code;
 use nctape::format::Itemized;
 use nctape::span::SpanKind;
 use nctape::{Standard, presets as core_presets, rules as core_rules};
@@ -161,11 +160,8 @@ struct RowView {
 pub fn code_table(
     #[wasm_bindgen(unchecked_param_type = "\"iso\" | \"eia\"")] code: &JsValue,
 ) -> Result<JsValue, JsValue> {
-    let code = match code.as_string().as_deref() {
-        Some("iso") => Code::Iso,
-        Some("eia") => Code::Eia,
-        _ => return Err(malformed("code", "\"iso\" or \"eia\" is wanted")),
-    };
+    let code = code.as_string().as_deref().and_then(argument::code);
+    let code = code.ok_or_else(|| malformed("code", "\"iso\" or \"eia\" is wanted"))?;
     let rows: Vec<RowView> = (0..=u8::MAX)
         .map(|row| {
             let (label, name) = code.meaning(row).unwrap_or((String::new(), "no character of this code"));

@@ -36,6 +36,20 @@ pub(super) fn row(ascii: u8) -> Option<u8> {
     ROWS.get(usize::from(ascii)).copied().flatten()
 }
 
+/// The ASCII character of a row: `None` outside the subset, or where the parity is wrong.
+pub(super) fn ascii(with_track_8: u8) -> Option<u8> {
+    let ascii = with_track_8 & 0x7F;
+    (row(ascii) == Some(with_track_8)).then_some(ascii)
+}
+
+/// Characters that makers of controls added to the subset, and that a tape may hold: the other printing characters of
+/// the seven-bit code.
+pub(super) fn extension(with_track_8: u8) -> Option<char> {
+    let ascii = with_track_8 & 0x7F;
+    let added = (0x21..0x7F).contains(&ascii) && row(ascii).is_none() && with_parity(ascii) == with_track_8;
+    added.then(|| char::from(ascii))
+}
+
 /// Label and name of a row.
 pub(super) fn meaning(row: u8) -> Option<(String, &'static str)> {
     let ascii = row & 0x7F;

@@ -3,11 +3,15 @@
 //! A row is one byte: track n is bit n-1. [`iso840`] has even parity on track 8, [`rs244`] odd parity on track 5,
 //! so that no row means something in both.
 
+mod decode;
 mod encode;
 pub mod iso840;
+mod recognise;
 pub mod rs244;
 
+pub use decode::{DecodeOptions, Decoded, RowIssue, RowIssueKind, decode};
 pub use encode::{Rows, encode};
+use recognise::recognise;
 
 /// A character code of punched tape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -40,6 +44,24 @@ impl Code {
         match self {
             Code::Iso => iso840::row(ascii),
             Code::Eia => rs244::row(ascii),
+        }
+    }
+
+    /// The character that a row stands for in a listing; `None` for the end of block, for a row without one, and for
+    /// a typewriter's shift.
+    pub fn character(self, row: u8) -> Option<char> {
+        let ascii = match self {
+            Code::Iso => iso840::ascii(row),
+            Code::Eia => rs244::ascii(row),
+        };
+        ascii.filter(|&ascii| ascii != b'\n').map(char::from)
+    }
+
+    /// What it is called.
+    pub fn name(self) -> &'static str {
+        match self {
+            Code::Iso => "ISO 840",
+            Code::Eia => "EIA RS-244",
         }
     }
 

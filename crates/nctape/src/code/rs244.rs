@@ -85,6 +85,11 @@ pub(super) fn row(ascii: u8) -> Option<u8> {
     BY_ASCII.get(usize::from(ascii)).copied().flatten()
 }
 
+/// The ASCII stand-in of a row: `None` for the end of block, shifts and rows without meaning.
+pub(super) fn ascii(row: u8) -> Option<u8> {
+    ROWS.iter().find(|entry| entry.1 == row).map(|entry| entry.0)
+}
+
 /// Label and name of a row.
 pub(super) fn meaning(row: u8) -> Option<(String, &'static str)> {
     if row == END_OF_BLOCK {

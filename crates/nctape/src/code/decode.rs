@@ -1,0 +1,307 @@
+//! From rows of holes to a listing, and what is wrong with the rows.
+
+use super::{Code, iso840, recognise};
+use std::ops::Range;
+
+/// What a tape says.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Decoded {
+    /// The listing: capital letters, a line end for each end of block, U+FFFD for a row that cannot be read.
+    pub text: String,
+    /// The code that it was read in.
+    pub code: Code,
+    /// Why that code, in words.
+    pub reason: String,
+    /// What is wrong with the rows, in their order.
+    pub issues: Vec<RowIssue>,
+}
+
+/// Something about one row that the listing does not show.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct RowIssue {
+    /// The row, counted from 0.
+    pub row: usize,
+    /// Its holes.
+    pub byte: u8,
+    /// What it is.
+    pub kind: RowIssueKind,
+    /// In words.
+    pub message: String,
+    /// Its place in the listing, in bytes; empty where it left nothing there.
+    pub range: Range<usize>,
+}
+
+/// What can be wrong with a row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RowIssueKind {
+    /// The count of holes is odd in ISO code, or even in EIA code.
+    Parity,
+    /// The parity is right, but the code has no such character.
+    Unknown,
+    /// No hole at all, between the first and the last end of block.
+    Blank,
+    /// A delete, backspace or shift: a control disregards it.
+    Disregarded,
+    /// A character that makers added to the code: the standards have it not.
+    Extension,
+    /// A stretch of rows before the first or behind the last end of block that are no characters: a label that a
+    /// person reads, or damage. Said once, at its first row.
+    Label,
+    /// The tape has no end of block before its first block.
+    NoFirstEnd,
+    /// The tape does not end with an end of block.
+    NoLastEnd,
+    /// The characters of a block, end of block included, are odd in number.
+    OddBlock,
+}
+
+impl RowIssueKind {
+    /// Its name in the interface.
+    pub fn name(self) -> &'static str {
+        match self {
+            RowIssueKind::Parity => "parity",
+            RowIssueKind::Unknown => "unknown",
+            RowIssueKind::Blank => "blank",
+            RowIssueKind::Disregarded => "disregarded",
+            RowIssueKind::Extension => "extension",
+            RowIssueKind::Label => "label",
+            RowIssueKind::NoFirstEnd => "no-first-end",
+            RowIssueKind::NoLastEnd => "no-last-end",
+            RowIssueKind::OddBlock => "odd-block",
+        }
+    }
+
+    /// The rule that it falls under.
+    pub fn rule(self) -> &'static str {
+        match self {
+            RowIssueKind::NoFirstEnd => "TAPE-01",
+            RowIssueKind::NoLastEnd => "TAPE-03",
+            RowIssueKind::Extension => "TAPE-08",
+            RowIssueKind::Parity => "ROW-01",
+            RowIssueKind::Unknown => "ROW-02",
+            RowIssueKind::Blank => "ROW-03",
+            RowIssueKind::Disregarded => "ROW-04",
+            RowIssueKind::OddBlock => "ROW-05",
+            RowIssueKind::Label => "ROW-06",
+        }
+    }
+}
+
+/// How rows are decoded.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct DecodeOptions {
+    /// The code; recognised by itself where it is `None`.
+    pub code: Option<Code>,
+    /// Counts the characters of each block (TV, the vertical check): a tape punched for it has an even number.
+    pub count_blocks: bool,
+}
+
+/// What a row is to the reader.
+enum Meaning {
+    Character(char),
+    EndOfBlock,
+    Nothing,
+    Issue(RowIssueKind, Option<char>),
+}
+
+/// Reads rows of holes.
+///
+/// Between the first and the last end of block every row must be a character of the code; before and behind them are
+/// leader, label and trailer, where blank tape and delete are as they should be. A carriage return ends a block on an
+/// ISO tape without line feeds; beside line feeds a control disregards it.
+///
+/// ```
+/// use nctape::code::{Code, DecodeOptions, decode};
+/// let rows = [0x00, 0x80, 0x45, 0x20, 0x20, 0x01, 0x80, 0x00];
+/// let decoded = decode(&rows, DecodeOptions::default());
+/// assert_eq!((decoded.code, decoded.text.as_str()), (Code::Eia, "\nN001\n"));
+/// assert!(decoded.issues.is_empty());
+/// ```
+pub fn decode(rows: &[u8], options: DecodeOptions) -> Decoded {
+    let (code, reason) = match options.code {
+        Some(code) => (code, format!("{} was asked for.", code.name())),
+        None => recognise(rows),
+    };
+    let by_return = code == Code::Iso && !rows.contains(&0x0A) && rows.contains(&0x8D);
+    let is_end = |row: u8| match code {
+        Code::Eia => row == 0x80,
+        Code::Iso => row == if by_return { 0x8D } else { 0x0A },
+    };
+    let significant = match (rows.iter().position(|&row| is_end(row)), rows.iter().rposition(|&row| is_end(row))) {
+        (Some(first), Some(last)) => first..last,
+        _ => 0..0,
+    };
+    let mut decoded = Decoded { text: String::new(), code, reason, issues: Vec::new() };
+    let mut places: Vec<(usize, char)> = Vec::new();
+    let mut label: Option<usize> = None;
+    for (row, &byte) in rows.iter().enumerate() {
+        let from = decoded.text.len();
+        let (character, kind) = match meaning(byte, code, is_end(byte), significant.contains(&row)) {
+            Meaning::Nothing => continue,
+            Meaning::EndOfBlock => (Some('\n'), None),
+            Meaning::Character(character) => (Some(character), None),
+            Meaning::Issue(RowIssueKind::Parity | RowIssueKind::Unknown, _) if !significant.contains(&row) => {
+                if label.is_none_or(|last| last + 1 != row) {
+                    let kind = RowIssueKind::Label;
+                    let message = message(kind, byte, code);
+                    decoded.issues.push(RowIssue { row, byte, kind, message, range: from..from });
+                }
+                label = Some(row);
+                continue;
+            }
+            Meaning::Issue(kind, character) => (character, Some(kind)),
+        };
+        if let Some(character) = character {
+            decoded.text.push(character);
+            places.push((row, character));
+        }
+        if let Some(kind) = kind {
+            let message = message(kind, byte, code);
+            decoded.issues.push(RowIssue { row, byte, kind, message, range: from..decoded.text.len() });
+        }
+    }
+    check_ends(&mut decoded, rows, &places);
+    if options.count_blocks {
+        count_blocks(&mut decoded, rows, &significant, is_end);
+    }
+    decoded.issues.sort_by_key(|issue| issue.row);
+    decoded
+}
+
+fn meaning(row: u8, code: Code, end: bool, significant: bool) -> Meaning {
+    if end {
+        return Meaning::EndOfBlock;
+    }
+    match (row, code) {
+        // Blank tape is harmless in ISO code, an alarm in EIA code between the ends of block.
+        (0x00, Code::Eia) if significant => return Meaning::Issue(RowIssueKind::Blank, None),
+        (0x00, _) => return Meaning::Nothing,
+        (0x7F, Code::Eia) | (0xFF, Code::Iso) if !significant => return Meaning::Nothing,
+        _ => {}
+    }
+    if !code.parity_fits(row) {
+        return Meaning::Issue(RowIssueKind::Parity, Some('\u{FFFD}'));
+    }
+    match code.character(row) {
+        Some('\r') => Meaning::Nothing,
+        Some('\u{8}' | '\u{7F}') => Meaning::Issue(RowIssueKind::Disregarded, None),
+        Some(character) => Meaning::Character(character),
+        None if code.meaning(row).is_some() => Meaning::Issue(RowIssueKind::Disregarded, None),
+        None => match iso840::extension(row).filter(|_| code == Code::Iso) {
+            Some(character) => Meaning::Issue(RowIssueKind::Extension, Some(character)),
+            None => Meaning::Issue(RowIssueKind::Unknown, Some('\u{FFFD}')),
+        },
+    }
+}
+
+fn message(kind: RowIssueKind, row: u8, code: Code) -> String {
+    let tracks = tracks(row);
+    match kind {
+        RowIssueKind::Parity => {
+            let parity = if code == Code::Iso { "even" } else { "odd" };
+            let near: Vec<String> = (0..8)
+                .filter_map(|track| code.meaning(row ^ (1 << track)))
+                .map(|(label, _)| label)
+                .filter(|label| !label.is_empty())
+                .collect();
+            let near =
+                if near.is_empty() { String::new() } else { format!(" One hole away from it: {}.", near.join(", ")) };
+            format!("The row has {tracks}; {} has an {parity} number of holes in every row.{near}", code.name())
+        }
+        RowIssueKind::Unknown => format!("The row has {tracks}; {} has no such character.", code.name()),
+        RowIssueKind::Blank => {
+            "The row is blank; between the first and the last end of block EIA code has no blank tape. Punch a delete, \
+             or take the row out."
+                .to_owned()
+        }
+        RowIssueKind::Disregarded => {
+            let name = code.meaning(row).map_or("", |meaning| meaning.1);
+            format!("The row is a {name}, which a control disregards: it is left out of the listing.")
+        }
+        RowIssueKind::Extension => {
+            format!("The row has {tracks}: a character that makers added; neither ISO 2539 nor RS-358 has it.")
+        }
+        RowIssueKind::Label => {
+            "From here rows are no characters of the code. They stand before the first or behind the last end of block, \
+             where a control passes over them: a label, or damage. They are left out of the listing."
+                .to_owned()
+        }
+        RowIssueKind::NoFirstEnd => {
+            "The tape has no end of block before its first block; a control passes over everything up to the first one."
+                .to_owned()
+        }
+        RowIssueKind::NoLastEnd => "The tape does not end with an end of block.".to_owned(),
+        RowIssueKind::OddBlock => {
+            "The characters of this block, end of block included, are odd in number: a control that counts them (TV) \
+             stops here. A blank before the end of block makes them even."
+                .to_owned()
+        }
+    }
+}
+
+/// "holes in tracks 1, 3 and 5".
+fn tracks(row: u8) -> String {
+    let tracks: Vec<String> =
+        (1..=8).filter(|track| row & (1 << (track - 1)) != 0).map(|track| track.to_string()).collect();
+    match tracks.as_slice() {
+        [] => "no hole".to_owned(),
+        [one] => format!("a hole in track {one}"),
+        [most @ .., last] => format!("holes in tracks {} and {last}", most.join(", ")),
+    }
+}
+
+/// Reports a first or last end of block that is not there.
+fn check_ends(decoded: &mut Decoded, rows: &[u8], places: &[(usize, char)]) {
+    let mut comment = false;
+    // A comment is no part of the program: it may stand before the first end of block and behind the last.
+    let program: Vec<(usize, usize, char)> = places
+        .iter()
+        .scan(0, |at, &(row, character)| {
+            let from = *at;
+            *at += character.len_utf8();
+            Some((row, from, character))
+        })
+        .filter(|&(_, _, character)| {
+            let inside = comment || character == '(';
+            comment = match character {
+                '(' => true,
+                ')' => false,
+                _ => comment,
+            };
+            !inside && character != ' '
+        })
+        .collect();
+    let mut head = program.iter().skip_while(|(_, _, character)| *character == '%' || character.is_ascii_digit());
+    let has_words = program.iter().any(|(_, _, character)| !matches!(character, '\n' | '%'));
+    let mut report = |kind: RowIssueKind, &(row, from, character): &(usize, usize, char)| {
+        let message = message(kind, rows[row], decoded.code);
+        let range = from..from + character.len_utf8();
+        decoded.issues.push(RowIssue { row, byte: rows[row], kind, message, range });
+    };
+    if let Some(first) = head.next().filter(|(_, _, character)| has_words && *character != '\n') {
+        report(RowIssueKind::NoFirstEnd, first);
+    }
+    let last = program.iter().rev().find(|(_, _, character)| *character != '%');
+    if let Some(last) = last.filter(|(_, _, character)| has_words && *character != '\n') {
+        report(RowIssueKind::NoLastEnd, last);
+    }
+}
+
+/// Reports each block whose characters are odd in number.
+fn count_blocks(decoded: &mut Decoded, rows: &[u8], significant: &Range<usize>, is_end: impl Fn(u8) -> bool) {
+    let mut count = 0;
+    let mut line_ends = decoded.text.match_indices('\n').map(|(at, _)| at).skip(1).collect::<Vec<_>>().into_iter();
+    // The first end of block ends no block; blank rows are no characters.
+    for (row, &byte) in rows.iter().enumerate().take(significant.end + 1).skip(significant.start + 1) {
+        count += usize::from(byte != 0);
+        if is_end(byte) {
+            let at = line_ends.next().unwrap_or(decoded.text.len());
+            if count % 2 == 1 {
+                let kind = RowIssueKind::OddBlock;
+                let range = at..(at + 1).min(decoded.text.len());
+                decoded.issues.push(RowIssue { row, byte, kind, message: message(kind, byte, decoded.code), range });
+            }
+            count = 0;
+        }
+    }
+}
