@@ -53,10 +53,10 @@ const startsBlock = (line) => FENCE.test(line) || HEADING.test(line) || ITEM.tes
  * @returns {[HTMLElement, number]}
  */
 function fence(lines, at) {
-  const mark = FENCE.exec(lines[at])?.[1] ?? '```';
+  const [, mark = '```', info = ''] = FENCE.exec(lines[at]) ?? [];
   let end = at + 1;
   while (end < lines.length && !lines[end].trim().startsWith(mark)) end += 1;
-  return [el('pre', { tabindex: '0' }, el('code', null, lines.slice(at + 1, end).join('\n'))), end + 1];
+  return [el('pre', { tabindex: '0', class: info.startsWith('json') ? 'wrapped' : null }, el('code', null, lines.slice(at + 1, end).join('\n'))), end + 1];
 }
 
 /**

@@ -30,7 +30,6 @@ export function makeFormatPanel({ store, engine, change }) {
     el(
       'div',
       { class: 'drawer-body' },
-      el('section', { class: 'explain', 'aria-label': 'In words' }, words),
       el('div', { class: 'field field-choice' }, el('label', { for: 'field-standard' }, 'Standard'), standard),
       fieldsBox,
     ),
@@ -89,9 +88,11 @@ export function makeFormatPanel({ store, engine, change }) {
       members.push(/** @type {HTMLElement} */ (fields.get(path)?.element));
       groups.set(group, members);
     }
-    fieldsBox.replaceChildren(
-      ...[...groups].map(([group, members]) => el('fieldset', null, el('legend', null, group), ...members)),
+    const [shorthand, ...rest] = [...groups].map(([group, members]) =>
+      el('fieldset', null, el('legend', null, group), ...members),
     );
+    // The words stand right under the shorthand that they explain.
+    fieldsBox.replaceChildren(shorthand, el('section', { 'aria-label': 'In words' }, words), ...rest);
   }
 
   function judge() {
