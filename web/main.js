@@ -1,7 +1,7 @@
 // The page begins here: it shows itself, starts the engine, and asks it for all that it does not know itself.
 import { byId } from './dom.js';
 import { Engine } from './engine.js';
-import { notice } from './notice.js';
+import { clearNotice, notice } from './notice.js';
 import { makePlayground } from './playground.js';
 import { Store } from './store.js';
 import { startTheme } from './theme.js';
@@ -23,16 +23,25 @@ const store = new Store({
 /** @type {import('./playground.js').Playground | null} */
 let playground = null;
 
+/** The notice says that the checker waits for a change. */
+let isDown = false;
+
 const engine = new Engine({
   current: () => playground?.current() ?? { source: '', format: store.state.format, offset: 0 },
-  onChange: (change) => playground?.changed(change),
+  onChange(change) {
+    if (isDown) clearNotice();
+    isDown = false;
+    playground?.changed(change);
+  },
   onRefusal: (message) => notice(`The format was not taken: ${message}`),
-  onTrap: (message, down) =>
+  onTrap(message, down) {
+    isDown = down;
     notice(
       down
         ? `The checker fails on this tape (${message}). Your text is kept, and the checker tries again at your next change.`
         : `The checker met a fault of its own (${message}) and was started again with your text.`,
-    ),
+    );
+  },
   onFail: (message) =>
     notice(`The checker could not be loaded: ${message}. Nothing is checked. Reload the page to try again.`, { lasting: true }),
 });
