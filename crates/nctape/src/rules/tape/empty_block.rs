@@ -18,8 +18,7 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
         sink.report(
             &RULE,
             0..block.text.len(),
-            "The block has no word between two ends of block. A control reads it and does nothing; leave it out."
-                .to_owned(),
+            "The block has no word between two ends of block. A control reads it and does nothing.".to_owned(),
         );
     }
 }

@@ -18,30 +18,32 @@ pub(crate) fn check(strays: &[Stray], control: &Control, sink: &mut Sink<'_>) {
         Code::Iso => "ISO 840",
         Code::Eia => "EIA RS-244",
     };
-    for stray in strays {
+    let mut at = 0;
+    while let Some(stray) = strays.get(at) {
+        at += 1;
         match stray.kind {
             StrayKind::Foreign(character) => {
-                let reported = sink.report(
-                    &RULE,
-                    stray.range(),
-                    format!(
-                        "{} is not one of the format; words are made of capital letters, digits and the signs + and -. {}",
-                        named(character),
-                        advice(character)
-                    ),
+                // What stands together is said once.
+                let joined =
+                    |pair: &[Stray]| pair[0].to == pair[1].from && matches!(pair[1].kind, StrayKind::Foreign(_));
+                let more = strays[at - 1..].windows(2).take_while(|pair| joined(pair)).count();
+                at += more;
+                let range = stray.range().start..strays[at - 1].range().end;
+                let message = format!(
+                    "{} is not one of the format; words are made of capital letters, digits and the signs + and -. {}",
+                    named(character),
+                    advice(character)
                 );
-                if let Some(meant) = look_alike(character) {
+                let meant = look_alike(character).filter(|_| more == 0);
+                sink.report(&RULE, range.clone(), message).count(1 + more).fixes(meant.map(|meant| {
                     let title = if meant == " " { "Write a blank".to_owned() } else { format!("Write {meant}") };
-                    reported.fix(|| Fix::replace(title, stray.range(), meant));
-                }
+                    Fix::replace(title, range, meant)
+                }));
             }
             StrayKind::InComment(character) => {
-                sink.report_as(
-                    Severity::Info,
-                    &RULE,
-                    stray.range(),
-                    format!("{} has no row in {code}: it is left out of the comment on the tape.", named(character)),
-                );
+                let message =
+                    format!("{} has no row in {code}: it is left out of the comment on the tape.", named(character));
+                sink.report_as(Severity::Info, &RULE, stray.range(), message);
             }
             _ => {}
         }

@@ -1,5 +1,7 @@
 //! WORD-11: digits stand without an address.
 
+use crate::format::power_of_ten;
+use crate::function::{Preparatory, preparatory};
 use crate::rules::prelude::*;
 
 /// The rule.
@@ -33,15 +35,23 @@ pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
 }
 
 /// Where the digits of a preparatory function begin that lost its G and ran into the sequence number before it:
-/// two digits too many, and no G in the block.
+/// digits of both words, the last of an assigned function, in a block that moves and has no G.
 pub(crate) fn run_in(word: &Word, block: &BlockView<'_>) -> Option<usize> {
-    let (number, function) = (block.control.designation(b'N')?, block.control.designation(b'G')?);
-    let widths = u16::from(number.width()) + u16::from(function.width());
-    let head = block.sequence()?;
-    let lost = block.control.system != System::Tab
-        && (word.from, word.digits, word.fault) == (head.from, widths, NumberFault::None)
-        && !block.words.iter().any(|other| other.address == b'G');
-    let digits = block.text[word.range()].char_indices().filter(|(_, character)| character.is_ascii_digit());
-    let mut digits = digits.skip(usize::from(number.width())).filter(|_| lost);
-    digits.next().map(|(at, _)| word.range().start + at)
+    let control = block.control;
+    let (number, function) = (control.designation(b'N')?.width(), control.designation(b'G')?.width());
+    let head = block.sequence().filter(|_| control.system != System::Tab)?;
+    let widths = u16::from(number) + u16::from(function);
+    if (word.from, word.digits, word.fault) != (head.from, widths, NumberFault::None) {
+        return None;
+    }
+    // A number such as N00010 is more probably a longer number.
+    let (before, code) = (word.value? / power_of_ten(function), word.value? % power_of_ten(function));
+    let assigned = matches!(preparatory(u8::try_from(code).ok()?), Preparatory::Assigned(..));
+    let moves = |word: &Word| control.designation(word.address).is_some_and(|word| word.dimension);
+    let has_function = block.words.iter().any(|word| word.address == b'G');
+    if before == 0 || !assigned || has_function || !block.words.iter().any(moves) {
+        return None;
+    }
+    let mut digits = block.text[word.range()].char_indices().filter(|(_, character)| character.is_ascii_digit());
+    digits.nth(usize::from(number)).map(|(at, _)| word.range().start + at)
 }
