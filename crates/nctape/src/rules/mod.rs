@@ -72,6 +72,7 @@ pub static ALL: &[&Rule] = &[
     &word::axis_feed::RULE,
     &word::common_feed::RULE,
     &word::contouring_feed::RULE,
+    &word::no_tool_change::RULE,
     &word::trailing_tabs::RULE,
     &tab::in_address_system::RULE,
     &tab::too_many::RULE,
@@ -228,6 +229,7 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     sequence::repeated::check(tape, sink);
     sequence::falling::check(tape, sink);
     sequence::incomplete_alignment::check(tape, sink);
+    word::no_tool_change::check(tape, sink);
     for block in word::feed_words(tape) {
         word::axis_feed::check(&block, tape, sink);
         word::common_feed::check(&block, tape, sink);

@@ -7,6 +7,7 @@ pub(crate) mod dimension_order;
 pub(crate) mod letter_o;
 pub(crate) mod no_address;
 pub(crate) mod no_digits;
+pub(crate) mod no_tool_change;
 pub(crate) mod order;
 pub(crate) mod parameters;
 pub(crate) mod repeated;
