@@ -53,6 +53,11 @@ impl State<'_> {
     /// Notes where more axes move than the control moves at once (C.2.3).
     fn count_axes(&mut self, motion: Motion) {
         let Some(allowed) = self.control.simultaneous() else { return };
+        // ISO 1058 does not contour at all: FUN-08 says so.
+        let contours = matches!(motion, Motion::Circle { .. } | Motion::Parabola);
+        if contours && self.control.standard() == Standard::Iso1058 {
+            return;
+        }
         // An arc that leaves its plane is a fault of its own.
         let out_of_plane = match motion {
             Motion::Circle { .. } if !self.control.helix => Some(self.plane.axes()[2]),
@@ -81,7 +86,8 @@ impl State<'_> {
                 (at < travel.0 || at > travel.1).then_some(at)
             };
             let known = self.is_incremental(index) && beyond(self.position[index]).is_some();
-            if let Some(at) = beyond(self.target[index]).filter(|_| !known) {
+            let doubtful = self.is_incremental(index) && self.is_lost(index);
+            if let Some(at) = beyond(self.target[index]).filter(|_| !known && !doubtful) {
                 self.note(EventKind::OutOfTravel { word, at, travel });
             }
         }
@@ -95,7 +101,7 @@ impl State<'_> {
         }
         if self.target == self.position {
             // A first block that states the set point moves nothing and is as it should be.
-            if self.words.iter().any(Option::is_some) && !self.spans.list.is_empty() {
+            if self.words.iter().any(Option::is_some) && !self.spans.list.is_empty() && !self.is_doubtful([]) {
                 self.note(EventKind::NoMotion);
             }
             return;
@@ -126,14 +132,17 @@ impl State<'_> {
         }
         match self.solve(&block, [first, second]) {
             Ok(arc) if moved.is_none() => {
-                if block.start == block.end && self.control.format.itemized.full_circle.is_none() {
+                if block.start == block.end
+                    && self.control.format.itemized.full_circle.is_none()
+                    && !self.is_doubtful([first, second])
+                {
                     self.note(EventKind::FullCircle);
                 }
                 self.push(SpanKind::Arc, (self.block, self.block), &start, Geometry::Arc(arc), Some(arc.sweep));
             }
             Ok(_) => self.substitute(&start, self.block),
             Err(fault) => {
-                if moved.or(given).is_none() {
+                if moved.or(given).is_none() && !self.is_doubtful([first, second]) {
                     self.note(EventKind::Arc(fault));
                 }
                 self.substitute(&start, self.block);
@@ -237,7 +246,9 @@ impl State<'_> {
     /// A point of an arc in two blocks: 4.2.2.2.
     fn arc_point(&mut self, clockwise: bool) {
         let Some(pending) = self.pending.take() else {
-            self.pending = Some(Pending { block: self.block, start: self.position.clone(), parabola: false });
+            let [first, second, _] = self.plane.axes();
+            let doubtful = self.is_doubtful([first, second]);
+            self.pending = Some(Pending { block: self.block, start: self.position.clone(), parabola: false, doubtful });
             return;
         };
         let start = pending.start;
@@ -249,16 +260,19 @@ impl State<'_> {
             self.substitute(&start, pending.block);
             return;
         }
+        let doubtful = pending.doubtful || self.is_doubtful([first, second]);
         let middle = [self.in_unit(first, self.position[first]), self.in_unit(second, self.position[second])];
         match self.arc_block(clockwise, &start).through(middle) {
             Some(arc) => {
-                if (arc.sweep < 0.0) != clockwise {
+                if (arc.sweep < 0.0) != clockwise && !doubtful {
                     self.events.push(Event { block: pending.block, kind: EventKind::OtherWay { clockwise } });
                 }
                 self.push(SpanKind::Arc, blocks, &start, Geometry::Arc(arc), Some(arc.sweep));
             }
             None => {
-                self.events.push(Event { block: pending.block, kind: EventKind::OnALine });
+                if !doubtful {
+                    self.events.push(Event { block: pending.block, kind: EventKind::OnALine });
+                }
                 self.substitute(&start, pending.block);
             }
         }
@@ -285,30 +299,44 @@ impl State<'_> {
             self.coordinate(axis, reading)
         });
         let curve = Parabola { start: self.point(&start), tangent, end: self.point(&self.target) };
-        self.push_parabola(curve, &start, (self.block, self.block), false);
+        let doubtful = self.is_doubtful(0..self.target.len());
+        self.push_parabola(curve, &start, (self.block, self.block), false, doubtful);
     }
 
     /// A point of a parabola in two blocks: 4.2.3.2.
     fn parabola_point(&mut self) {
         let Some(pending) = self.pending.take() else {
-            self.pending = Some(Pending { block: self.block, start: self.position.clone(), parabola: true });
+            let doubtful = self.is_doubtful(0..self.target.len());
+            self.pending = Some(Pending { block: self.block, start: self.position.clone(), parabola: true, doubtful });
             return;
         };
         let start = pending.start;
         let curve = Parabola::through(self.point(&start), self.point(&self.position), self.point(&self.target));
-        self.push_parabola(curve, &start, (pending.block, self.block), true);
+        let doubtful = pending.doubtful || self.is_doubtful(0..self.target.len());
+        self.push_parabola(curve, &start, (pending.block, self.block), true, doubtful);
     }
 
-    fn push_parabola(&mut self, curve: Parabola, start: &[i64], blocks: (usize, usize), intermediate: bool) {
+    fn push_parabola(
+        &mut self,
+        curve: Parabola,
+        start: &[i64],
+        blocks: (usize, usize),
+        intermediate: bool,
+        doubtful: bool,
+    ) {
         let increment = (0..3).filter(|&axis| self.control.axes[axis].sign.is_some());
         let increment = increment.map(|axis| self.increment(axis)).fold(0.0, f64::max);
-        if curve.is_degenerate(increment) {
-            self.events.push(Event { block: blocks.0, kind: EventKind::Degenerate { intermediate } });
+        let degenerate = curve.is_degenerate(increment);
+        let kind = match degenerate {
+            true => Some(EventKind::Degenerate { intermediate }),
+            false => (intermediate && curve.is_skewed()).then_some(EventKind::Skewed),
+        };
+        if let Some(kind) = kind.filter(|_| !doubtful) {
+            self.events.push(Event { block: blocks.0, kind });
+        }
+        if degenerate {
             self.substitute(start, blocks.0);
             return;
-        }
-        if intermediate && curve.is_skewed() {
-            self.events.push(Event { block: blocks.0, kind: EventKind::Skewed });
         }
         let geometry = Geometry::Parabola { tangent: curve.tangent };
         self.push(SpanKind::Parabola, blocks, start, geometry, None);

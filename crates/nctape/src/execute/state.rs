@@ -27,6 +27,8 @@ pub(crate) struct Pending {
     pub block: usize,
     pub start: Vec<i64>,
     pub parabola: bool,
+    /// A word of the block could not be read, or its start is a guess.
+    pub doubtful: bool,
 }
 
 /// A word of the block with its number in least input increments.
@@ -57,6 +59,12 @@ pub(crate) struct State<'a> {
     /// I, J and K of the block.
     pub parameters: [Option<Parameter>; 3],
     pub own_feed: bool,
+    /// A dimension word or parameter of the block could not be read.
+    unread: bool,
+    /// The axes whose position is a guess, because a word of theirs could not be read: now, and at the start of the
+    /// block. Bit by bit; an axis beyond 32 is taken as known.
+    lost: u32,
+    lost_at_start: u32,
     motionless: bool,
     preload: bool,
 
@@ -83,6 +91,9 @@ impl<'a> State<'a> {
             words: vec![None; axes],
             parameters: [None; 3],
             own_feed: false,
+            unread: false,
+            lost: 0,
+            lost_at_start: 0,
             motionless: false,
             preload: false,
             spans: Spans::new(axes),
@@ -111,6 +122,8 @@ impl<'a> State<'a> {
         self.words.fill(None);
         self.parameters = [None; 3];
         self.own_feed = false;
+        self.unread = false;
+        self.lost_at_start = self.lost;
         self.motionless = false;
         self.preload = false;
     }
@@ -187,12 +200,21 @@ impl<'a> State<'a> {
 
     /// Takes a dimension word or an interpolation parameter; any other word is no concern of the path.
     pub(crate) fn take_dimension(&mut self, place: usize, word: &Word) {
-        let Some(value) = word.value else { return };
-        if let Some(index) = b"IJK".iter().position(|&letter| letter == word.address) {
+        let parameter = b"IJK".iter().position(|&letter| letter == word.address);
+        let axis = self.control.axis(word.address);
+        let Some(value) = word.value else {
+            self.unread |= parameter.is_some() || axis.is_some();
+            self.lost |= axis.map_or(0, bit);
+            return;
+        };
+        if let Some(index) = parameter {
             self.parameters[index] = Some(Parameter { place, value });
             return;
         }
-        let Some(axis) = self.control.axis(word.address) else { return };
+        let Some(axis) = axis else { return };
+        if !self.is_incremental(axis) {
+            self.lost &= !bit(axis);
+        }
         let target = if self.is_incremental(axis) { self.position[axis].checked_add(value) } else { Some(value) };
         match target {
             Some(target) => {
@@ -201,6 +223,18 @@ impl<'a> State<'a> {
             }
             None => self.note(EventKind::Overflow { word: place }),
         }
+    }
+
+    /// What the block does along these axes is a guess: a word of it, or one before it on which an absolute dimension
+    /// rests, could not be read and was reported. That the span then does not fit follows from it.
+    pub(crate) fn is_doubtful(&self, axes: impl IntoIterator<Item = usize>) -> bool {
+        let lost = |axis: usize| self.lost_at_start & bit(axis) != 0 && !self.is_incremental(axis);
+        self.unread || axes.into_iter().any(lost)
+    }
+
+    /// The position of an axis is a guess.
+    pub(crate) fn is_lost(&self, axis: usize) -> bool {
+        self.lost & bit(axis) != 0
     }
 
     /// How the dimension words of an axis are read at present.
@@ -236,4 +270,9 @@ impl<'a> State<'a> {
     pub(crate) fn point(&self, position: &[i64]) -> [f64; 3] {
         std::array::from_fn(|axis| self.in_unit(axis, position[axis]))
     }
+}
+
+/// The bit of an axis in a set of axes.
+fn bit(axis: usize) -> u32 {
+    1_u32.checked_shl(axis as u32).unwrap_or(0)
 }

@@ -76,7 +76,7 @@ pub struct Detail {
     /// The asterisk at the end.
     pub end: Option<Range<usize>>,
     /// What stands where nothing is foreseen.
-    pub stray: Vec<(char, Range<usize>)>,
+    pub stray: Vec<Range<usize>>,
     /// The length of the text.
     pub length: usize,
 }
@@ -98,12 +98,16 @@ impl Detail {
         let places: Vec<(usize, char)> = text.char_indices().filter(|(_, c)| !c.is_whitespace()).collect();
         let mut at = 0;
         let mut tab = false;
+        let mut previous_stray = None;
         while let Some(&(from, character)) = places.get(at) {
             let here = from..from + character.len_utf8();
             at += 1;
+            // A full stop before a digit is no tab: a word begins with its address.
+            let digit_follows = places.get(at).is_some_and(|place| place.1.is_ascii_digit());
             if detail.end.is_some() {
-                detail.stray.push((character, here));
-            } else if character == '.' && !tab {
+                stray(&mut detail.stray, previous_stray == Some(at - 1), here);
+                previous_stray = Some(at);
+            } else if character == '.' && !tab && !digit_follows {
                 tab = true;
             } else if character == '*' {
                 detail.end = Some(here);
@@ -115,10 +119,19 @@ impl Detail {
                 detail.words.push(designation(character.to_ascii_uppercase(), from..to, tab, &body, standard));
                 tab = false;
             } else {
-                detail.stray.push((character, here));
+                stray(&mut detail.stray, previous_stray == Some(at - 1), here);
+                previous_stray = Some(at);
             }
         }
         detail
+    }
+}
+
+/// Notes a character that means nothing; those that stand together are one.
+fn stray(strays: &mut Vec<Range<usize>>, goes_on: bool, here: Range<usize>) {
+    match strays.last_mut() {
+        Some(last) if goes_on => last.end = here.end,
+        _ => strays.push(here),
     }
 }
 

@@ -16,6 +16,8 @@ pub(crate) fn check(detail: &Detail, control: &Control, sink: &mut Sink<'_>) {
     for word in &detail.words {
         if crate::format::DIMENSION_LETTERS.contains(word.address)
             && !is_declared_letter(word.address, control)
+            // What cuts the digits short is the fault then.
+            && !detail.stray.iter().any(|stray| stray.start == word.range.end)
             && (word.digits.len() > 3
                 || word.digits.is_empty()
                 || word.digits.len() == 1 && !"ABCDE".contains(word.address))

@@ -13,6 +13,10 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(detail: &Detail, control: &Control, sink: &mut Sink<'_>) {
+    // A word that could not be read may be the one that is missed.
+    if !detail.stray.is_empty() {
+        return;
+    }
     let Some([_, stated, _]) = control.classification.as_ref().and_then(|found| found.digits()) else { return };
     let found = control.axes.iter().filter(|axis| axis.sign.is_some()).count();
     if found != usize::from(stated) {

@@ -12,10 +12,12 @@ pub static RULE: Rule = Rule {
     page: page!("SPEC-25"),
 };
 
-pub(crate) fn check(detail: &Detail, _: &Control, sink: &mut Sink<'_>) {
-    for (character, range) in &detail.stray {
+pub(crate) fn check(detail: &Detail, control: &Control, sink: &mut Sink<'_>) {
+    for range in &detail.stray {
         let message = format!(
-            "{character:?} has no meaning here; the detail has letters, signs, digits, full stops and one asterisk at its end."
+            "{:?} has no meaning here; the detail has letters, +, digits, full stops before letters, and one asterisk at \
+             its end. Take it out.",
+            &control.format.detail[range.clone()]
         );
         sink.report(&RULE, range.clone(), message);
     }

@@ -16,7 +16,13 @@ pub(crate) fn check(event: &Event, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     let EventKind::OutOfPlane { word } = event.kind else { return };
     let block = &tape.reading.blocks[event.block];
     let (range, what) = match tape.reading.words(block).get(word) {
-        Some(word) => (tape.reading.range(block, word), format!("{} is the third axis of the plane", word.letter())),
+        Some(word) => {
+            let what = match word.letter() {
+                letter @ ('I' | 'J' | 'K') => format!("{letter} belongs to the third axis of the plane"),
+                letter => format!("{letter} moves the third axis of the plane"),
+            };
+            (tape.reading.range(block, word), what)
+        }
         None => (tape.extent(event.block), "The third axis of the plane moves".to_owned()),
     };
     let message = format!(

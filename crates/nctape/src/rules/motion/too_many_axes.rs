@@ -15,13 +15,13 @@ pub static RULE: Rule = Rule {
 pub(crate) fn check(event: &Event, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     let EventKind::TooManyAxes { ref moving, allowed, positioning } = event.kind else { return };
     let (severity, effect) = if positioning {
-        (Severity::Info, "it moves them one after another")
+        (Severity::Info, "the control moves them one after another.")
     } else {
-        (Severity::Error, "it cannot contour so")
+        (Severity::Error, "the control cannot contour that. Divide the move.")
     };
     let message = format!(
         "{} axes move in this block ({moving}); the third digit of the classification allows {allowed} at a time: \
-         {effect}.",
+         {effect}",
         moving.chars().count()
     );
     sink.report_as(severity, &RULE, tape.extent(event.block), message);

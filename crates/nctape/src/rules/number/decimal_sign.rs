@@ -14,7 +14,7 @@ pub static RULE: Rule = Rule {
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let NumberFault::DecimalSign(at) = word.fault else { return };
     let at = at as usize;
-    let place = block.control.designation(word.address).filter(|designation| designation.dimension);
+    let place = block.control.designation(word.address).filter(|place| place.dimension || place.after > 0);
     let (advice, fix) = match place.and_then(|designation| {
         let number = &block.text[word.range()];
         let exact = without_decimal_sign(number, designation.before, designation.after)?;

@@ -19,6 +19,11 @@ pub(crate) mod wrong_count;
 use crate::diagnostic::Fix;
 use crate::read::{BlockView, Word};
 
+/// The letter O follows the number at once: the word goes on behind it, and WORD-14 says so.
+fn is_cut_by_letter(word: &Word, block: &BlockView<'_>) -> bool {
+    block.text[word.range().end..].starts_with(['O', 'o'])
+}
+
 /// Puts a plus sign before the first digit of a word.
 fn write_plus(word: &Word, block: &BlockView<'_>) -> Fix {
     let range = word.range();
@@ -34,4 +39,20 @@ fn leave_sign_out(word: &Word, block: &BlockView<'_>) -> Fix {
         at..at + 1
     });
     Fix::replace("Leave the sign out", sign, "")
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Format, Severity, Standard, Tape};
+
+    #[test]
+    fn a_letter_o_in_a_number_is_the_only_fault() {
+        let format = Format::new(Standard::Iso2539, "N3G2X+42Y+32F4S3T2M2*").classified("CAM 222");
+        for text in ["%\nN001 G00 X+001O00 M30\n", "%\nN001 G00 X+001000 T1O M30\n", "%\nN001 G0O X+001000 M30\n"] {
+            let tape = Tape::new(text, &format);
+            let errors = tape.diagnostics().iter().filter(|found| found.severity == Severity::Error);
+            let found: Vec<&str> = errors.map(|found| found.id).collect();
+            assert_eq!(found, ["WORD-14"], "{text}");
+        }
+    }
 }

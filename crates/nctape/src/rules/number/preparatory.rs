@@ -16,6 +16,7 @@ pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
         || word.fault != NumberFault::None
         || word.digits == 2
         || block.control.designation(b'G').is_none()
+        || super::is_cut_by_letter(word, block)
     {
         return;
     }

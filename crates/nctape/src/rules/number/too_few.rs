@@ -18,7 +18,11 @@ pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
         return;
     }
     let wanted = u16::from(designation.width());
-    if matches!(word.address, b'F' | b'S') && word.fault == NumberFault::None && word.digits < wanted {
+    if matches!(word.address, b'F' | b'S')
+        && word.fault == NumberFault::None
+        && word.digits < wanted
+        && !super::is_cut_by_letter(word, block)
+    {
         let message = format!(
             "{} has {}; this format wants {wanted} ({}). Zeros may be left out of dimension words only.",
             word.letter(),

@@ -14,7 +14,11 @@ pub static RULE: Rule = Rule {
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let Some(designation) = block.control.designation(b'T') else { return };
     let wanted = u16::from(designation.width());
-    if word.address == b'T' && word.fault == NumberFault::None && word.digits != wanted {
+    if word.address == b'T'
+        && word.fault == NumberFault::None
+        && word.digits != wanted
+        && !super::is_cut_by_letter(word, block)
+    {
         let message = format!("T has {}; this format wants {wanted} ({}).", digits(word.digits), designation.text());
         sink.report(&RULE, word.range(), message);
     }
