@@ -19,6 +19,8 @@ pub(crate) enum EventKind {
     NoFeed,
     /// Time-reciprocal coding: cutting motion without an F of its own.
     NoOwnFeed,
+    /// Time-reciprocal coding: a parabola.
+    ReciprocalParabola,
     /// Time-reciprocal coding: an arc, while it is not stated how its feed is read.
     ArcFeedNotStated { by_radians: f64, by_time: f64 },
     /// More axes move than the control moves at once.

@@ -377,6 +377,9 @@ impl State<'_> {
             }
             Geometry::Parabola { tangent } => Parabola { start: from, tangent, end: to }.length(),
         };
+        if kind == SpanKind::Parabola && matches!(self.feed, Feed::Reciprocal(_)) {
+            self.events.push(Event { block: blocks.0, kind: EventKind::ReciprocalParabola });
+        }
         let minutes = if kind == SpanKind::Rapid {
             self.control.format.itemized.rapid.map(|rapid| length / rapid.0)
         } else {

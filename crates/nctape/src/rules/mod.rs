@@ -81,6 +81,7 @@ pub static ALL: &[&Rule] = &[
     &number::too_many::RULE,
     &number::decimal_sign::RULE,
     &number::too_few::RULE,
+    &number::both_zeros::RULE,
     &number::sign_missing::RULE,
     &number::incremental_sign_missing::RULE,
     &number::sign_forbidden::RULE,
@@ -90,6 +91,7 @@ pub static ALL: &[&Rule] = &[
     &number::preparatory::RULE,
     &number::miscellaneous::RULE,
     &number::tool::RULE,
+    &number::turns_recommended::RULE,
     &number::beyond_a_turn::RULE,
     &number::out_of_travel::RULE,
     &function::unassigned_preparatory::RULE,
@@ -115,8 +117,10 @@ pub static ALL: &[&Rule] = &[
     &motion::idle_parameter::RULE,
     &motion::no_motion::RULE,
     &motion::overflow::RULE,
+    &feed::short_reciprocal::RULE,
     &feed::no_own_feed::RULE,
     &feed::arc_feed_not_stated::RULE,
+    &feed::reciprocal_on_parabola::RULE,
     &feed::second_digit_zero::RULE,
     &feed::arithmetic_width::RULE,
     &feed::geometric_width::RULE,
@@ -243,6 +247,7 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     motion::no_motion::check(tape, sink);
     feed::no_own_feed::check(tape, sink);
     feed::arc_feed_not_stated::check(tape, sink);
+    feed::reciprocal_on_parabola::check(tape, sink);
     feed::stop_or_rapid::check(tape, sink);
     feed::unlisted_code::check(tape, sink);
     feed::no_feed::check(tape, sink);

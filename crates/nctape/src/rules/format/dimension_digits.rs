@@ -18,7 +18,7 @@ pub(crate) fn check(detail: &Detail, control: &Control, sink: &mut Sink<'_>) {
             && !is_declared_letter(word.address, control)
             // What cuts the digits short is the fault then.
             && !detail.stray.iter().any(|stray| stray.start == word.range.end)
-            && (word.digits.len() > 3
+            && (word.digits.len() > 3 && !crate::rules::number::both_zeros::holds(&word.digits)
                 || word.digits.is_empty()
                 || word.digits.len() == 1 && !"ABCDE".contains(word.address))
         {

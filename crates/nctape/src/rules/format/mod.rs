@@ -40,6 +40,7 @@ pub(crate) fn check_classification(found: &Classification, _: &Control, sink: &m
     class_angles::check(found, sink);
     class_digits::check(found, sink);
     class_rising::check(found, sink);
+    super::number::turns_recommended::check(found, sink);
 }
 
 /// Judges a detail.
@@ -56,6 +57,8 @@ pub(crate) fn check_detail(detail: &Detail, control: &Control, sink: &mut Sink<'
     letter_order::check(detail, control, sink);
     dimension_digits::check(detail, control, sink);
     zero_mark::check(detail, control, sink);
+    super::number::both_zeros::check(detail, control, sink);
+    super::feed::short_reciprocal::check(detail, control, sink);
     function_digits::check(detail, control, sink);
     short_sequence::check(detail, control, sink);
     sequence_not_three::check(detail, control, sink);

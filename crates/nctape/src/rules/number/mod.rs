@@ -1,6 +1,7 @@
 //! NUM: digits and signs.
 
 pub(crate) mod beyond_a_turn;
+pub(crate) mod both_zeros;
 pub(crate) mod decimal_sign;
 pub(crate) mod incremental_sign_missing;
 pub(crate) mod minus_zero;
@@ -14,6 +15,7 @@ pub(crate) mod sign_on_function;
 pub(crate) mod too_few;
 pub(crate) mod too_many;
 pub(crate) mod tool;
+pub(crate) mod turns_recommended;
 pub(crate) mod wrong_count;
 
 use crate::diagnostic::Fix;
