@@ -270,6 +270,13 @@ fn no_text_and_no_format_makes_any_function_fail() {
         }
         let rows = api::encode(&js_source, &format).expect("no malformed argument");
         assert_eq!(rows.len() as f64, number(&report, "totals.rows"));
+        for found in Array::from(&api::suggest_format(&js_source).expect("a text")) {
+            api::check(&js_source, &get(&found, "format"), &JsValue::UNDEFINED).expect("a format");
+        }
+        let decoded =
+            api::decode(&js_sys::Uint8Array::from(rows.as_slice()).into(), &JsValue::UNDEFINED).expect("rows");
+        let decoded_units = text(&decoded, "text").encode_utf16().count() as f64;
+        list(&decoded, "issues").iter().for_each(|issue| inside(issue, decoded_units));
         let points = api::points(&js_source, &format, &0.1.into()).expect("no malformed argument");
         let xyz: Float64Array = get(&points, "xyz").unchecked_into();
         assert!(xyz.to_vec().iter().all(|coordinate| coordinate.is_finite()));

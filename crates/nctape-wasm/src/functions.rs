@@ -3,7 +3,7 @@
 use crate::argument::{self, malformed};
 use crate::offsets::Offsets;
 use crate::report::{self, API, DiagnosticView, ReportView};
-use crate::value::to_js;
+use crate::value::{Plain, to_js};
 use nctape::Tape;
 use nctape::code;
 use nctape::flatten::Points;
@@ -162,6 +162,27 @@ fn format_diagnostic(found: &FormatDiagnostic, format: &nctape::Format) -> Diagn
 #[wasm_bindgen(js_name = formatLine)]
 pub fn format_line(#[wasm_bindgen(unchecked_param_type = "Format")] format: &JsValue) -> Result<String, JsValue> {
     Ok(one_line(&argument::format(format)?.0))
+}
+
+#[derive(Serialize)]
+struct SuggestionView {
+    format: Plain,
+    sure: Vec<String>,
+    assumed: Vec<String>,
+    errors: usize,
+}
+
+/// Formats that fit a listing that came without one, best first.
+#[wasm_bindgen(js_name = suggestFormat, unchecked_return_type = "Suggestion[]")]
+pub fn suggest_format(#[wasm_bindgen(unchecked_param_type = "string")] source: &JsValue) -> Result<JsValue, JsValue> {
+    let source = argument::text(source, "source")?;
+    let views = nctape::suggest(&source).into_iter().map(|found| SuggestionView {
+        format: Plain(found.format.write()),
+        sure: found.sure,
+        assumed: found.assumed,
+        errors: found.errors,
+    });
+    Ok(to_js(&views.collect::<Vec<_>>()))
 }
 
 /// The rows of a tape: one byte a row, track n is bit n-1.

@@ -156,6 +156,9 @@ export interface FormatExplanation {
   diagnostics: (Diagnostic & { path: string })[];
 }
 
+/** A format that fits a listing: what the listing says itself, what was assumed, and the errors that remain. */
+export interface Suggestion { format: Format; sure: string[]; assumed: string[]; errors: number }
+
 export interface Rule {
   rule: string;
   aliases: string[];

@@ -47,11 +47,14 @@ pub mod rules;
 
 mod tape;
 
+mod suggest;
+
 pub mod presets;
 
 pub use diagnostic::{Diagnostic, Severity};
 pub use execute::Totals;
 pub use format::{Format, Standard};
+pub use suggest::{Suggestion, suggest};
 pub use tape::{ROW_PITCH_MILLIMETRES, Tape};
 
 /// The README, so that its Rust lines are compiled and run.
