@@ -9,14 +9,16 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) -> bool {
     todays_code(tape, sink) || source(tape, sink)
 }
 
-/// Today's G-code: most dimension words have a decimal point. One such word alone is a slip, and NUM-03 mends it.
+/// Today's G-code: most dimension words, those that are a mere 0 left aside, have a decimal point. One such word alone is a slip, and NUM-03 mends it.
 fn todays_code(tape: &TapeView<'_>, sink: &mut Sink<'_>) -> bool {
-    let (mut dimensions, mut first, mut points) = (0_usize, None, 0_usize);
+    let (mut dimensions, mut zeros, mut points, mut first) = (0_usize, 0_usize, 0_usize, None);
     for (block, word) in tape.words() {
         if !DIMENSION_LETTERS.contains(word.letter()) || word.fault == NumberFault::Empty {
             continue;
         }
         dimensions += 1;
+        // X0 is a habit of today's code, and says nothing of the decimal sign.
+        zeros += usize::from(word.digits == 1 && tape.text[tape.range(block, word)].ends_with('0'));
         if let NumberFault::DecimalSign(at) = word.fault {
             let at = block.range.start + at as usize;
             if tape.text.as_bytes()[at] == b'.' {
@@ -25,7 +27,7 @@ fn todays_code(tape: &TapeView<'_>, sink: &mut Sink<'_>) -> bool {
             }
         }
     }
-    let Some(at) = first.filter(|_| points >= 2 && 2 * points > dimensions) else { return false };
+    let Some(at) = first.filter(|_| points >= 2 && 2 * points > dimensions - zeros) else { return false };
     let message = format!(
         "{points} of {dimensions} dimension words have a decimal point: this is today's G-code, not a tape. A tape has \
          no decimal sign; the format says where it is understood. Nothing else is checked."
@@ -102,6 +104,7 @@ mod tests {
     #[test]
     fn todays_code_is_said_once_at_the_first_point() {
         assert_eq!(found("G21\nG0 X10.5 Y20. Z5\nG1 Z-1.0 F200\nM30\n"), [("NUM-03", 10, 3)]);
+        assert_eq!(found("G0 X0 Y0\nG1 X1.5 Y2.5\n"), [("NUM-03", 14, 2)]);
     }
 
     #[test]

@@ -206,6 +206,7 @@ pub(crate) fn check_block(block: &BlockView<'_>, sink: &mut Sink<'_>) {
         number::miscellaneous::check(word, block, sink);
         number::tool::check(word, block, sink);
         number::beyond_a_turn::check(word, block, sink);
+        feed::not_in_1058::check_word(word, sink);
         feed::arithmetic_width::check(word, block, sink);
         feed::geometric_width::check(word, block, sink);
         function::unassigned_preparatory::check(word, block, sink);

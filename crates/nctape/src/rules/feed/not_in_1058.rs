@@ -29,3 +29,12 @@ pub(crate) fn check(control: &Control, problems: &mut Vec<FormatDiagnostic>) {
         report("itemized.spindle", coding.word());
     }
 }
+
+/// G93 asks for the reciprocal of time on the tape itself.
+pub(crate) fn check_word(word: &Word, sink: &mut Sink<'_>) {
+    if word.function(b'G') == Some(93) && word.digits == 2 {
+        let message = "G93 makes the feed the reciprocal of time, a coding of ISO 2539; ISO 1058 has the arithmetic, the \
+                       geometric and the symbolic one. Take it out.";
+        sink.report(&RULE, word.range(), message.to_owned());
+    }
+}
