@@ -59,6 +59,8 @@ pub(crate) enum EventKind {
     StopFeed,
     /// The geometric code 99, which is rapid traverse, as a spindle speed.
     RapidSpeed { word: usize },
+    /// A miscellaneous function starts the spindle before any S word.
+    SpindleWithoutSpeed { word: usize },
     /// A preparatory function whose effect is not computed.
     NotCarriedOut(Limit),
 }

@@ -78,7 +78,10 @@ fn run_block(state: &mut State<'_>, index: usize, block: &Block, words: &[Word])
         match word.address {
             b'F' => state.take_feed(place, word),
             b'S' => state.take_speed(place, word),
-            b'M' => ended |= matches!(word.value, Some(2 | 30)),
+            b'M' => {
+                ended |= matches!(word.value, Some(2 | 30));
+                state.take_miscellaneous(place, word);
+            }
             _ => state.take_dimension(place, word),
         }
     }

@@ -45,6 +45,8 @@ pub(crate) struct State<'a> {
     pub incremental: bool,
     pub feed: Feed,
     pub speed: Option<f64>,
+    /// An S word was given, readable or not.
+    any_speed: bool,
     coding: FeedCoding,
     unit: FeedUnit,
     /// Where every axis is, in least input increments.
@@ -82,6 +84,7 @@ impl<'a> State<'a> {
             incremental: control.dimensions == Dimensions::Incremental,
             feed: Feed::None,
             speed: None,
+            any_speed: false,
             coding: control.feed,
             unit: control.feed_unit,
             position: control.set_point.clone(),
@@ -173,8 +176,17 @@ impl<'a> State<'a> {
     }
 
     pub(crate) fn take_speed(&mut self, place: usize, word: &Word) {
+        self.any_speed = true;
         self.speed = feed::read_speed(word, self.control);
         self.note_code(place, feed::speed_fault(word, self.control));
+    }
+
+    /// Notes where the spindle is started without a speed, on a control whose format has a word for it.
+    pub(crate) fn take_miscellaneous(&mut self, place: usize, word: &Word) {
+        let starts = matches!(word.function(b'M'), Some(3 | 4 | 13 | 14)) && word.digits == 2;
+        if starts && !self.any_speed && self.control.designation(b'S').is_some() {
+            self.note(EventKind::SpindleWithoutSpeed { word: place });
+        }
     }
 
     fn note_code(&mut self, word: usize, fault: Option<CodeFault>) {

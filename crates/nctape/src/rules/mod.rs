@@ -129,6 +129,7 @@ pub static ALL: &[&Rule] = &[
     &feed::no_feed::RULE,
     &feed::too_fast::RULE,
     &feed::not_in_1058::RULE,
+    &feed::spindle_without_speed::RULE,
     &compensation::unit_vector::RULE,
     &format::class_contouring::RULE,
     &format::class_positioning::RULE,
@@ -252,6 +253,7 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     feed::stop_or_rapid::check(tape, sink);
     feed::unlisted_code::check(tape, sink);
     feed::no_feed::check(tape, sink);
+    feed::spindle_without_speed::check(tape, sink);
     for event in &tape.execution.events {
         motion::too_many_axes::check(event, tape, sink);
         motion::out_of_plane::check(event, tape, sink);

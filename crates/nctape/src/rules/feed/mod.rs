@@ -9,6 +9,7 @@ pub(crate) mod not_in_1058;
 pub(crate) mod reciprocal_on_parabola;
 pub(crate) mod second_digit_zero;
 pub(crate) mod short_reciprocal;
+pub(crate) mod spindle_without_speed;
 pub(crate) mod stop_or_rapid;
 pub(crate) mod too_fast;
 pub(crate) mod unlisted_code;
