@@ -185,6 +185,37 @@ pub fn suggest_format(#[wasm_bindgen(unchecked_param_type = "string")] source: &
     Ok(to_js(&views.collect::<Vec<_>>()))
 }
 
+#[derive(Serialize)]
+struct PlacesView {
+    places: u8,
+    least: u8,
+    greatest: u8,
+}
+
+/// Decimal places of a format's dimension words, and how far they can be moved; `null` where it has none.
+#[wasm_bindgen(
+    js_name = decimalPlaces,
+    unchecked_return_type = "{ places: number, least: number, greatest: number } | null"
+)]
+pub fn decimal_places(#[wasm_bindgen(unchecked_param_type = "Format")] format: &JsValue) -> Result<JsValue, JsValue> {
+    let places = nctape::format::Places::of(&argument::format(format)?.0);
+    let view = places.map(|found| PlacesView { places: found.places, least: found.least, greatest: found.greatest });
+    Ok(to_js(&view))
+}
+
+/// The format with the decimal sign of all dimension words moved together, so that the first has `places` behind it;
+/// `null` where a word has not the digits for it.
+#[wasm_bindgen(js_name = shiftDecimals, unchecked_return_type = "Format | null")]
+pub fn shift_decimals(
+    #[wasm_bindgen(unchecked_param_type = "Format")] format: &JsValue,
+    places: f64,
+) -> Result<JsValue, JsValue> {
+    let (format, _) = argument::format(format)?;
+    // `as` saturates: what is no count of places is beyond what any word allows.
+    let moved = if places >= 0.0 { format.with_places(places as u8) } else { None };
+    Ok(to_js(&moved.map(|format| Plain(format.write()))))
+}
+
 /// The rows of a tape: one byte a row, track n is bit n-1.
 #[wasm_bindgen]
 pub fn encode(

@@ -14,7 +14,10 @@ mod vocabulary;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 // Rust sees the same names as a script, so that the browser tests can call them.
-pub use functions::{check, columns, decode, encode, explain_format, format_line, points, suggest_format, version};
+pub use functions::{
+    check, columns, decimal_places, decode, encode, explain_format, format_line, points, shift_decimals,
+    suggest_format, version,
+};
 pub use live::Tape;
 pub use vocabulary::{code_table, format_fields, presets, rules, span_kinds, standards};
 

@@ -10,6 +10,7 @@ mod control;
 mod detail;
 mod explain;
 mod itemized;
+mod places;
 mod reading;
 pub mod value;
 
@@ -23,6 +24,7 @@ pub use itemized::{
     ArcCentre, ArcFeed, ArcParameters, CurveKind, Declared, Dimensions, Dwell, DwellUnit, FeedCoding, FeedUnit,
     Itemized, ItemizedField, ParabolaParameters, Plane, SetPoint, SpindleCoding, TapeCode, TapeEnd, TimeScale,
 };
+pub use places::Places;
 pub use reading::Malformed;
 
 use choice::choices;
