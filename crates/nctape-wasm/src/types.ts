@@ -233,6 +233,8 @@ export interface Summary {
   axes: string[];
   code: "iso" | "eia";
   blocks: number;
+  /** Blocks that the optional block skip switch leaves out. */
+  skips: number;
   rows: number;
   spans: number;
   errors: number;
