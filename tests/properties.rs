@@ -1,6 +1,8 @@
 //! What holds for every text, every format and every span.
 
-use nctape::format::{ArcCentre, ArcFeed, ArcParameters, Dimensions, FeedCoding, Itemized, Plane, TapeCode, explain};
+use nctape::format::{
+    ArcCentre, ArcFeed, ArcParameters, Detail, Dimensions, FeedCoding, Itemized, Places, Plane, TapeCode, explain,
+};
 use nctape::span::Geometry;
 use nctape::{Format, Standard, Tape};
 use proptest::prelude::*;
@@ -157,5 +159,20 @@ proptest! {
         let (read, problems) = Format::read(&format.write()).expect("a format");
         prop_assert_eq!(read, format);
         prop_assert!(problems.is_empty());
+    }
+
+    #[test]
+    fn the_decimal_sign_moves_and_comes_back(format in format()) {
+        let Some(now) = Places::of(&format) else { return Ok(()) };
+        prop_assert!(now.least <= now.places && now.places <= now.greatest);
+        let widths = |format: &Format| -> Vec<_> {
+            Detail::read(&format.detail, format.standard).words.iter().map(|word| (word.width(), word.zeros)).collect()
+        };
+        for places in now.least..=now.greatest {
+            let moved = format.with_places(places).expect("a place that is allowed");
+            prop_assert_eq!(Places::of(&moved).map(|moved| moved.places), Some(places));
+            prop_assert_eq!(widths(&moved), widths(&format));
+            prop_assert_eq!(moved.with_places(now.places).map(|back| back.detail), Some(format.detail.clone()));
+        }
     }
 }

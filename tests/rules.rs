@@ -45,7 +45,9 @@ fn ids_and_names_are_unique_and_of_a_known_family() {
             assert!(ids.insert(id), "{id} is the id of two rules");
         }
         assert!(names.insert(rule.name), "{} is the name of two rules", rule.name);
-        assert!(FAMILIES.contains(&rule.family()), "{} is of no family that is tested", rule.id());
+        // The pages of ROW show rows of holes, not tapes under a format: tests/rows.rs runs them.
+        let tested = FAMILIES.contains(&rule.family()) || rule.family() == "ROW";
+        assert!(tested, "{} is of no family that is tested", rule.id());
     }
 }
 

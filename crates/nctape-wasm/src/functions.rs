@@ -258,7 +258,7 @@ pub fn decode(
     let issues = decoded.issues.iter().map(|issue| IssueView {
         row: issue.row,
         byte: issue.byte,
-        rule: issue.kind.rule(),
+        rule: issue.kind.rule().id(),
         kind: issue.kind.name(),
         message: issue.message.clone(),
         from: offsets.utf16(issue.range.start),

@@ -1,6 +1,7 @@
 //! From rows of holes to a listing, and what is wrong with the rows.
 
 use super::{Code, iso840, recognise};
+use crate::rules::{Rule, row, tape};
 use std::ops::Range;
 
 /// What a tape says.
@@ -72,17 +73,17 @@ impl RowIssueKind {
     }
 
     /// The rule that it falls under.
-    pub fn rule(self) -> &'static str {
+    pub fn rule(self) -> &'static Rule {
         match self {
-            RowIssueKind::NoFirstEnd => "TAPE-01",
-            RowIssueKind::NoLastEnd => "TAPE-03",
-            RowIssueKind::Extension => "TAPE-08",
-            RowIssueKind::Parity => "ROW-01",
-            RowIssueKind::Unknown => "ROW-02",
-            RowIssueKind::Blank => "ROW-03",
-            RowIssueKind::Disregarded => "ROW-04",
-            RowIssueKind::OddBlock => "ROW-05",
-            RowIssueKind::Label => "ROW-06",
+            RowIssueKind::Parity => &row::parity::RULE,
+            RowIssueKind::Unknown => &row::unknown::RULE,
+            RowIssueKind::Blank => &row::blank::RULE,
+            RowIssueKind::Disregarded => &row::disregarded::RULE,
+            RowIssueKind::OddBlock => &row::odd_block::RULE,
+            RowIssueKind::Label => &row::label::RULE,
+            RowIssueKind::Extension => &tape::foreign_character::RULE,
+            RowIssueKind::NoFirstEnd => &tape::leading_end::RULE,
+            RowIssueKind::NoLastEnd => &tape::last_end::RULE,
         }
     }
 }
@@ -194,59 +195,23 @@ fn meaning(row: u8, code: Code, end: bool, significant: bool) -> Meaning {
     }
 }
 
-fn message(kind: RowIssueKind, row: u8, code: Code) -> String {
-    let tracks = tracks(row);
+fn message(kind: RowIssueKind, byte: u8, code: Code) -> String {
     match kind {
-        RowIssueKind::Parity => {
-            let parity = if code == Code::Iso { "even" } else { "odd" };
-            let near: Vec<String> = (0..8)
-                .filter_map(|track| code.meaning(row ^ (1 << track)))
-                .map(|(label, _)| label)
-                .filter(|label| !label.is_empty())
-                .collect();
-            let near =
-                if near.is_empty() { String::new() } else { format!(" One hole away from it: {}.", near.join(", ")) };
-            format!("The row has {tracks}; {} has an {parity} number of holes in every row.{near}", code.name())
-        }
-        RowIssueKind::Unknown => format!("The row has {tracks}; {} has no such character.", code.name()),
-        RowIssueKind::Blank => {
-            "The row is blank; between the first and the last end of block EIA code has no blank tape. Punch a delete, \
-             or take the row out."
-                .to_owned()
-        }
-        RowIssueKind::Disregarded => {
-            let name = code.meaning(row).map_or("", |meaning| meaning.1);
-            format!("The row is a {name}, which a control disregards: it is left out of the listing.")
-        }
-        RowIssueKind::Extension => {
-            format!("The row has {tracks}: a character that makers added; neither ISO 2539 nor RS-358 has it.")
-        }
-        RowIssueKind::Label => {
-            "From here rows are no characters of the code. They stand before the first or behind the last end of block, \
-             where a control passes over them: a label, or damage. They are left out of the listing."
-                .to_owned()
-        }
+        RowIssueKind::Parity => row::parity::message(byte, code),
+        RowIssueKind::Unknown => row::unknown::message(byte, code),
+        RowIssueKind::Blank => row::blank::message(byte, code),
+        RowIssueKind::Disregarded => row::disregarded::message(byte, code),
+        RowIssueKind::OddBlock => row::odd_block::message(byte, code),
+        RowIssueKind::Label => row::label::message(byte, code),
+        RowIssueKind::Extension => format!(
+            "The row has {}: a character that makers added; neither ISO 2539 nor RS-358 has it.",
+            row::tracks(byte)
+        ),
         RowIssueKind::NoFirstEnd => {
             "The tape has no end of block before its first block; a control passes over everything up to the first one."
                 .to_owned()
         }
         RowIssueKind::NoLastEnd => "The tape does not end with an end of block.".to_owned(),
-        RowIssueKind::OddBlock => {
-            "The characters of this block, end of block included, are odd in number: a control that counts them (TV) \
-             stops here. A blank before the end of block makes them even."
-                .to_owned()
-        }
-    }
-}
-
-/// "holes in tracks 1, 3 and 5".
-fn tracks(row: u8) -> String {
-    let tracks: Vec<String> =
-        (1..=8).filter(|track| row & (1 << (track - 1)) != 0).map(|track| track.to_string()).collect();
-    match tracks.as_slice() {
-        [] => "no hole".to_owned(),
-        [one] => format!("a hole in track {one}"),
-        [most @ .., last] => format!("holes in tracks {} and {last}", most.join(", ")),
     }
 }
 

@@ -29,10 +29,10 @@ impl Places {
     }
 }
 
-/// A designation such as 420 would begin with 0 if no digit stood before the sign, and would then say that leading
-/// zeros are left out.
+/// A designation of three digits, such as 420, would begin with 0 if no digit stood before the sign, and would then
+/// say that leading zeros are left out.
 fn least_before(word: &Designation) -> u8 {
-    u8::from(word.zeros == Zeros::TrailingOmitted).min(word.before)
+    u8::from(word.digits.len() > 2 && word.zeros != Zeros::LeadingOmitted).min(word.before)
 }
 
 impl Format {

@@ -13,6 +13,7 @@ pub(crate) mod function;
 pub(crate) mod motion;
 pub(crate) mod number;
 mod prelude;
+pub(crate) mod row;
 mod rule;
 pub(crate) mod sequence;
 pub(crate) mod skip;
@@ -157,6 +158,12 @@ pub static ALL: &[&Rule] = &[
     &format::unusable_value::RULE,
     &format::stray_character::RULE,
     &format::empty_detail::RULE,
+    &row::parity::RULE,
+    &row::unknown::RULE,
+    &row::blank::RULE,
+    &row::disregarded::RULE,
+    &row::odd_block::RULE,
+    &row::label::RULE,
 ];
 
 /// The rules on one block: a function of its characters and the control.
