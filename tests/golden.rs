@@ -11,40 +11,27 @@ use std::path::{Path, PathBuf};
 use nctape_draw::{Columns, Picture, Theme, tile};
 
 /// "N001G02X+0141" and its end of block in ISO 840, parity in track 8, between two blank rows.
-const BLOCK: [u8; 16] = [
-    0x00, 0x4e, 0x30, 0x30, 0xb1, 0x47, 0x30, 0xb2, 0xd8, 0x2b, 0x30, 0xb1, 0xb4, 0xb1, 0x0a, 0x00,
-];
+const BLOCK: [u8; 16] =
+    [0x00, 0x4e, 0x30, 0x30, 0xb1, 0x47, 0x30, 0xb2, 0xd8, 0x2b, 0x30, 0xb1, 0xb4, 0xb1, 0x0a, 0x00];
 
 #[test]
 fn block_by_day() {
-    compare(
-        "block-light-24",
-        &tile(&BLOCK, &Columns::new(24, Theme::Light)),
-    );
+    compare("block-light-24", &tile(&BLOCK, &Columns::new(24, Theme::Light)));
 }
 
 #[test]
 fn block_in_the_dark() {
-    compare(
-        "block-dark-24",
-        &tile(&BLOCK, &Columns::new(24, Theme::Dark)),
-    );
+    compare("block-dark-24", &tile(&BLOCK, &Columns::new(24, Theme::Dark)));
 }
 
 #[test]
 fn block_at_the_largest_pitch() {
-    compare(
-        "block-light-64",
-        &tile(&BLOCK, &Columns::new(64, Theme::Light)),
-    );
+    compare("block-light-64", &tile(&BLOCK, &Columns::new(64, Theme::Light)));
 }
 
 #[test]
 fn block_at_the_smallest_pitch() {
-    compare(
-        "block-light-4",
-        &tile(&BLOCK, &Columns::new(4, Theme::Light)),
-    );
+    compare("block-light-4", &tile(&BLOCK, &Columns::new(4, Theme::Light)));
 }
 
 #[test]
@@ -58,8 +45,7 @@ fn all_rows_in_the_dark() {
 }
 
 fn compare(name: &str, actual: &Picture) {
-    let golden_path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/golden"))
-        .join(format!("{name}.png"));
+    let golden_path = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/golden")).join(format!("{name}.png"));
     if std::env::var_os("BLESS").is_some() {
         write(&golden_path, actual);
         return;
@@ -69,10 +55,7 @@ fn compare(name: &str, actual: &Picture) {
     };
     let actual_path = PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(format!("{name}.png"));
     write(&actual_path, actual);
-    panic!(
-        "{name}: {difference}; the picture drawn is {}",
-        actual_path.display()
-    );
+    panic!("{name}: {difference}; the picture drawn is {}", actual_path.display());
 }
 
 fn difference(golden_path: &Path, actual: &Picture) -> Option<String> {
@@ -84,18 +67,11 @@ fn difference(golden_path: &Path, actual: &Picture) -> Option<String> {
     if was != is {
         return Some(format!("the size was {was:?} and is {is:?}"));
     }
-    let byte = golden
-        .rgba
-        .iter()
-        .zip(&actual.rgba)
-        .position(|(was, is)| was != is)?;
+    let byte = golden.rgba.iter().zip(&actual.rgba).position(|(was, is)| was != is)?;
     let pixel = byte as u32 / 4;
     let (x, y) = (pixel % actual.width, pixel / actual.width);
     let (was, is) = (golden.rgba[byte], actual.rgba[byte]);
-    Some(format!(
-        "channel {} at x {x}, y {y} was {was} and is {is}",
-        byte % 4
-    ))
+    Some(format!("channel {} at x {x}, y {y} was {was} and is {is}", byte % 4))
 }
 
 fn read(path: &Path) -> Picture {
@@ -104,11 +80,7 @@ fn read(path: &Path) -> Picture {
     let mut rgba = vec![0; reader.output_buffer_size().unwrap()];
     let frame = reader.next_frame(&mut rgba).unwrap();
     assert_eq!(frame.color_type, png::ColorType::Rgba, "{}", path.display());
-    Picture {
-        width: frame.width,
-        height: frame.height,
-        rgba,
-    }
+    Picture { width: frame.width, height: frame.height, rgba }
 }
 
 fn write(path: &Path, picture: &Picture) {
