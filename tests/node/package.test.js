@@ -90,3 +90,19 @@ test("every rule has a page, and every id stands once", () => {
     assert.ok(rule.page.startsWith(`# ${rule.rule} ${rule.name}\n`), rule.rule);
   }
 });
+
+test("an empty text is said to be one", () => {
+  const report = nctape.check("", preset("annex-e-circular").format);
+  assert.deepEqual(report.diagnostics.map((found) => [found.rule, found.from, found.to]), [["TAPE-10", 0, 0]]);
+  assert.deepEqual([report.blocks, report.spans, report.totals.rows], [[], [], 0]);
+});
+
+test("rows and text, both ways, and a format suggested", () => {
+  for (const { id, source, format } of nctape.presets()) {
+    const decoded = nctape.decode(nctape.encode(source, format));
+    assert.equal(decoded.code, format.itemized?.code ?? "iso", id);
+    assert.deepEqual(decoded.issues, [], id);
+    assert.deepEqual(nctape.encode(decoded.text, format), nctape.encode(source, format), id);
+    assert.equal(nctape.suggestFormat(source)[0]?.errors, 0, id);
+  }
+});

@@ -12,6 +12,15 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
+    if tape.reading.blocks.is_empty() && !tape.ends_in_comment() {
+        sink.report(
+            &RULE,
+            0..0,
+            "There is no block on this tape, and so no M02 or M30 that ends a program. Type or paste one, such as \
+             N001 M30."
+                .to_owned(),
+        );
+    }
     for &(last, ended) in &tape.execution.ends {
         // Behind a comment that nothing closes there may be one: CTRL-01.
         if ended || last + 1 == tape.reading.blocks.len() && tape.ends_in_comment() {
