@@ -3,11 +3,14 @@
 //! Executing has no messages. What it could not do as written it notes as an [`Event`], which the rules turn into
 //! diagnostics, and draws a substitute.
 
+mod arc_block;
 pub(crate) mod circle;
+mod emit;
 mod event;
 mod feed;
 mod motion;
 pub(crate) mod parabola;
+mod parabola_block;
 mod state;
 mod totals;
 

@@ -1,0 +1,177 @@
+//! Arcs as blocks say them: in one block by interpolation parameters, or in two by an intermediate point (4.2.2).
+
+use super::circle::{ArcBlock, ArcFault, tolerance};
+use super::event::{Event, EventKind};
+use super::state::{Pending, State};
+use crate::format::{ArcCentre, ArcParameters, power_of_ten};
+use crate::span::{Arc, Geometry, SpanKind};
+
+impl State<'_> {
+    /// An arc in one block: 4.2.2.1.
+    pub(super) fn arc(&mut self, clockwise: bool) {
+        self.finish_span();
+        let start = self.position.clone();
+        if self.control.arc_parameters != ArcParameters::Centre {
+            self.refuse("arcParameters: angle-radius", &start);
+            return;
+        }
+        let [first, second, third] = self.plane.axes();
+        let moved = self.words[third].filter(|_| self.target[third] != start[third] && !self.control.helix);
+        let given = self.parameters[third].map(|parameter| parameter.place);
+        // Said once, at the first of them; that the rest of the arc does not fit either follows from it.
+        if let Some(word) = moved.or(given) {
+            self.note(EventKind::OutOfPlane { word });
+        }
+        let block = self.arc_block(clockwise, &start);
+        if block.start == block.end && self.control.format.itemized.full_circle == Some(false) {
+            self.note(EventKind::NoMotion);
+            return;
+        }
+        match self.solve(&block, [first, second]) {
+            Ok(arc) if moved.is_none() => {
+                if block.start == block.end
+                    && self.control.format.itemized.full_circle.is_none()
+                    && !self.is_doubtful([first, second])
+                {
+                    self.note(EventKind::FullCircle);
+                }
+                self.push(SpanKind::Arc, (self.block, self.block), &start, Geometry::Arc(arc), Some(arc.sweep));
+            }
+            Ok(_) => self.substitute(&start, self.block),
+            Err(fault) => {
+                if moved.or(given).is_none() && !self.is_doubtful([first, second]) {
+                    self.note(EventKind::Arc(fault));
+                }
+                self.substitute(&start, self.block);
+            }
+        }
+    }
+
+    fn arc_block(&self, clockwise: bool, start: &[i64]) -> ArcBlock {
+        let [first, second, _] = self.plane.axes();
+        let point = |position: &[i64]| [self.in_unit(first, position[first]), self.in_unit(second, position[second])];
+        let increment = self.increment(first).max(self.increment(second));
+        ArcBlock {
+            plane: self.plane,
+            start: point(start),
+            end: point(&self.target),
+            clockwise,
+            tolerance: tolerance(increment),
+        }
+    }
+
+    /// The arc by the reading of I, J and K that the format states. Where the end is off that circle, the reading
+    /// under which it is not is named.
+    fn solve(&self, block: &ArcBlock, axes: [usize; 2]) -> Result<Arc, ArcFault> {
+        if axes.iter().all(|&axis| self.parameters[axis].is_none_or(|parameter| parameter.value == 0))
+            && self.reading(axes[0]) != ArcCentre::Absolute
+        {
+            return Err(ArcFault::ZeroRadius);
+        }
+        let stated = self.control.arc_centre;
+        let result = self.arc_by(stated, block, axes);
+        let Err(ArcFault::RadiusMismatch { start, end, tolerance, .. }) = result else { return result };
+        let others = [ArcCentre::ToStart, ArcCentre::FromStart, ArcCentre::Absolute];
+        let fits = others.into_iter().find(|&other| {
+            let differs = axes.iter().any(|&axis| self.reading_under(stated, axis) != other);
+            differs && self.arc_by(other, block, axes).is_ok()
+        });
+        Err(ArcFault::RadiusMismatch { start, end, tolerance, fits })
+    }
+
+    fn arc_by(&self, reading: ArcCentre, block: &ArcBlock, axes: [usize; 2]) -> Result<Arc, ArcFault> {
+        if reading == ArcCentre::Quadrant {
+            return self.arc_in_quadrant(block, axes);
+        }
+        block.about(axes.map(|axis| self.coordinate(axis, self.reading_under(reading, axis))))
+    }
+
+    /// Unsigned parameters: of the four centres, the one whose arc ends on its circle within a quarter turn.
+    fn arc_in_quadrant(&self, block: &ArcBlock, axes: [usize; 2]) -> Result<Arc, ArcFault> {
+        let sides = [ArcCentre::FromStart, ArcCentre::ToStart];
+        let (mut fault, mut leaves) = (None, false);
+        for first in sides {
+            for second in sides {
+                let centre = [self.coordinate(axes[0], first), self.coordinate(axes[1], second)];
+                match block.about(centre) {
+                    Ok(arc) if block.is_in_quadrant(&arc) => return Ok(arc),
+                    Ok(_) => leaves = true,
+                    Err(other) => fault = fault.or(Some(other)),
+                }
+            }
+        }
+        Err(fault.filter(|_| !leaves).unwrap_or(ArcFault::LeavesQuadrant))
+    }
+
+    /// How the parameter of an axis is read: `as-dimensions` resolved.
+    fn reading_under(&self, reading: ArcCentre, axis: usize) -> ArcCentre {
+        match reading {
+            ArcCentre::AsDimensions if self.is_incremental(axis) => ArcCentre::FromStart,
+            ArcCentre::AsDimensions => ArcCentre::Absolute,
+            other => other,
+        }
+    }
+
+    pub(super) fn reading(&self, axis: usize) -> ArcCentre {
+        self.reading_under(self.control.arc_centre, axis)
+    }
+
+    /// The coordinate that the parameter of an axis gives under a reading. It is added up in whole increments, so
+    /// that a centre is as exact as the tape says it. A parameter that is left out says no change: the coordinate of
+    /// the start.
+    pub(super) fn coordinate(&self, axis: usize, reading: ArcCentre) -> f64 {
+        let start = self.position[axis];
+        let Some(parameter) = self.parameters[axis] else { return self.in_unit(axis, start) };
+        let places = self.control.designation(b"IJK"[axis]).map_or(0, |word| word.after);
+        let own = self.control.axes[axis].decimals;
+        let most = places.max(own);
+        let scaled = |value: i64, from: u8| value.checked_mul(power_of_ten(most - from));
+        let exact = scaled(start, own).zip(scaled(parameter.value, places)).and_then(|(start, value)| match reading {
+            ArcCentre::Absolute => Some(value),
+            ArcCentre::ToStart => start.checked_sub(value),
+            _ => start.checked_add(value),
+        });
+        let value = parameter.value as f64 / power_of_ten(places) as f64;
+        match (exact, reading) {
+            (Some(sum), _) => sum as f64 / power_of_ten(most) as f64,
+            (None, ArcCentre::Absolute) => value,
+            (None, ArcCentre::ToStart) => self.in_unit(axis, start) - value,
+            (None, _) => self.in_unit(axis, start) + value,
+        }
+    }
+
+    /// A point of an arc in two blocks: 4.2.2.2.
+    pub(super) fn arc_point(&mut self, clockwise: bool) {
+        let Some(pending) = self.pending.take() else {
+            let [first, second, _] = self.plane.axes();
+            let doubtful = self.is_doubtful([first, second]);
+            self.pending = Some(Pending { block: self.block, start: self.position.clone(), parabola: false, doubtful });
+            return;
+        };
+        let start = pending.start;
+        let blocks = (pending.block, self.block);
+        let [first, second, third] = self.plane.axes();
+        let leaves = |position: &[i64]| position[third] != start[third];
+        if leaves(&self.position) || leaves(&self.target) {
+            self.events.push(Event { block: pending.block, kind: EventKind::OutOfPlane { word: usize::MAX } });
+            self.substitute(&start, pending.block);
+            return;
+        }
+        let doubtful = pending.doubtful || self.is_doubtful([first, second]);
+        let middle = [self.in_unit(first, self.position[first]), self.in_unit(second, self.position[second])];
+        match self.arc_block(clockwise, &start).through(middle) {
+            Some(arc) => {
+                if (arc.sweep < 0.0) != clockwise && !doubtful {
+                    self.events.push(Event { block: pending.block, kind: EventKind::OtherWay { clockwise } });
+                }
+                self.push(SpanKind::Arc, blocks, &start, Geometry::Arc(arc), Some(arc.sweep));
+            }
+            None => {
+                if !doubtful {
+                    self.events.push(Event { block: pending.block, kind: EventKind::OnALine });
+                }
+                self.substitute(&start, pending.block);
+            }
+        }
+    }
+}

@@ -1,0 +1,141 @@
+//! Spans with their length, feed and time.
+
+use super::event::{Event, EventKind, Limit};
+use super::feed::Feed;
+use super::parabola::{Parabola, norm, subtract};
+use super::state::{Motion, State};
+use crate::format::{ArcFeed, power_of_ten};
+use crate::span::{Geometry, Span, SpanKind};
+
+impl State<'_> {
+    pub(super) fn refuse(&mut self, what: &'static str, start: &[i64]) {
+        self.note(EventKind::NotCarriedOut(Limit::Parameters(what)));
+        self.substitute(start, self.block);
+    }
+
+    /// A straight stand-in from `start` to the target, whose feed and time are not known.
+    pub(super) fn substitute(&mut self, start: &[i64], first: usize) {
+        if start == self.target {
+            return;
+        }
+        let (from, to) = (self.point(start), self.point(&self.target));
+        let span = Span {
+            kind: SpanKind::Line,
+            blocks: (first, self.block),
+            geometry: Geometry::Line,
+            start: from,
+            end: to,
+            length: self.straight_length(start),
+            feed: None,
+            seconds: None,
+            substitute: true,
+        };
+        self.push_span(span, start);
+    }
+
+    pub(super) fn push(
+        &mut self,
+        kind: SpanKind,
+        blocks: (usize, usize),
+        start: &[i64],
+        geometry: Geometry,
+        sweep: Option<f64>,
+    ) {
+        let (from, to) = (self.point(start), self.point(&self.target));
+        let length = match geometry {
+            Geometry::Line => self.straight_length(start),
+            Geometry::Arc(arc) => {
+                let third = arc.plane.axes()[2];
+                libm::hypot(arc.length_in_plane(), to[third] - from[third])
+            }
+            Geometry::Parabola { tangent } => Parabola { start: from, tangent, end: to }.length(),
+        };
+        if kind == SpanKind::Parabola && matches!(self.feed, Feed::Reciprocal(_)) {
+            self.events.push(Event { block: blocks.0, kind: EventKind::ReciprocalParabola });
+        }
+        let minutes = if kind == SpanKind::Rapid {
+            self.control.format.itemized.rapid.map(|rapid| length / rapid.0)
+        } else {
+            self.minutes(length, sweep)
+        };
+        let minutes = minutes.filter(|minutes| minutes.is_finite() && *minutes > 0.0);
+        let feed = minutes.map(|minutes| length / minutes).filter(|feed| feed.is_finite());
+        let seconds = minutes.map(|minutes| minutes * 60.0).filter(|seconds| seconds.is_finite());
+        // A feed per minute was judged at its word; a rapid move has none.
+        if let (Some(feed), Feed::Reciprocal(_) | Feed::PerRevolution(_)) = (feed.filter(|_| from != to), self.feed)
+            && kind != SpanKind::Rapid
+        {
+            self.note_speed(None, feed);
+        }
+        let span = Span {
+            kind,
+            blocks,
+            geometry,
+            start: from,
+            end: to,
+            length,
+            feed: self.plain_feed().filter(|_| kind != SpanKind::Rapid).or(feed),
+            seconds,
+            substitute: false,
+        };
+        self.push_span(span, start);
+    }
+
+    fn push_span(&mut self, span: Span, start: &[i64]) {
+        let control = self.control;
+        let unit = |position: &[i64]| -> Vec<f64> {
+            let axes = position.iter().zip(&control.axes);
+            axes.map(|(increments, axis)| *increments as f64 / power_of_ten(axis.decimals) as f64).collect()
+        };
+        self.spans.push(span, unit(start).into_iter(), unit(&self.target).into_iter());
+    }
+
+    /// The feed as the tape states it, where it states one along the path.
+    fn plain_feed(&self) -> Option<f64> {
+        if let Feed::PerMinute(feed) = self.feed { Some(feed).filter(|feed| *feed > 0.0) } else { None }
+    }
+
+    /// Minutes for a cutting span (annex A), noting what the F words lack.
+    fn minutes(&mut self, length: f64, sweep: Option<f64>) -> Option<f64> {
+        match self.feed {
+            Feed::PerMinute(feed) if feed > 0.0 => Some(length / feed),
+            Feed::PerRevolution(feed) if feed > 0.0 => {
+                self.speed.filter(|speed| *speed > 0.0).map(|speed| length / (feed * speed))
+            }
+            Feed::Reciprocal(rate) if rate > 0.0 => {
+                if !self.own_feed {
+                    self.note(EventKind::NoOwnFeed);
+                }
+                let by_time = 1.0 / rate;
+                let Some(sweep) = sweep else { return Some(by_time) };
+                let by_radians = sweep.abs() / rate;
+                if self.control.format.itemized.arc_feed.is_none() {
+                    let (by_radians, by_time) = (length / by_radians, length / by_time);
+                    self.note(EventKind::ArcFeedNotStated { by_radians, by_time });
+                }
+                Some(if self.control.arc_feed == ArcFeed::Time { by_time } else { by_radians })
+            }
+            Feed::Unknown => None,
+            // The feed of a thread is its lead, I, J or K.
+            _ if self.motion == Some(Motion::Line { thread: true }) => None,
+            Feed::PerMinute(_) | Feed::PerRevolution(_) if self.is_geometric() => {
+                self.note(EventKind::StopFeed);
+                None
+            }
+            _ => {
+                self.note(EventKind::NoFeed);
+                None
+            }
+        }
+    }
+
+    /// The length of a straight move: along X, Y and Z, or along the other axes where those stand still.
+    pub(super) fn straight_length(&self, start: &[i64]) -> f64 {
+        let move_of = |axis: usize| self.in_unit(axis, self.target[axis]) - self.in_unit(axis, start[axis]);
+        let path = norm(subtract(self.point(&self.target), self.point(start)));
+        if path > 0.0 {
+            return path;
+        }
+        (3..self.target.len()).map(move_of).fold(0.0, libm::hypot)
+    }
+}
