@@ -7,7 +7,7 @@
 /** @typedef {import('./worker.js').Facts} Facts */
 /** @typedef {import('./worker.js').Questions} Questions */
 /** @typedef {import('./worker.js').Change} Change */
-/** @typedef {{ source: string, format: import('nctape').Format, offset: number }} Current */
+/** @typedef {{ source: string, format: import('nctape').Format, skip: boolean, offset: number }} Current */
 
 /**
  * @template {any[]} T
@@ -19,6 +19,7 @@
  * @typedef {object} Waiting
  * @property {import('@codemirror/state').ChangeSet | null} changes
  * @property {import('nctape').Format | null} format
+ * @property {boolean | null} skip
  * @property {number} offset
  */
 
@@ -105,15 +106,15 @@ export class Engine {
     this.down = false;
     this.waiting = null;
     this.edit += 1;
-    const { source, format, offset } = this.callbacks.current();
-    this.sendChange('open', source, format, offset);
+    const { source, format, skip, offset } = this.callbacks.current();
+    this.sendChange('open', source, format, skip, offset);
   }
 
   /**
    * Changes the tape. The answer to the newest change goes to `onChange`.
    * @param {Partial<Waiting> & { offset: number }} change
    */
-  alter({ changes = null, format = null, offset }) {
+  alter({ changes = null, format = null, skip = null, offset }) {
     this.traps = 0;
     if (this.down || !this.opened) {
       this.open();
@@ -124,6 +125,7 @@ export class Engine {
     this.waiting = {
       changes: before === null || changes === null ? (changes ?? before) : before.compose(changes),
       format: format ?? this.waiting?.format ?? null,
+      skip: skip ?? this.waiting?.skip ?? null,
       offset,
     };
     if (!this.busy) this.sendWaiting();
@@ -132,12 +134,12 @@ export class Engine {
   /** @private */
   sendWaiting() {
     if (this.waiting === null) return;
-    const { changes, format, offset } = this.waiting;
+    const { changes, format, skip, offset } = this.waiting;
     this.waiting = null;
     /** @type {[number, number, string][]} */
     const edits = [];
     changes?.iterChanges((from, to, _from, _to, insert) => edits.push([from, to, insert.toString()]));
-    this.sendChange('alter', edits.reverse(), format, offset);
+    this.sendChange('alter', edits.reverse(), format, skip, offset);
   }
 
   /**

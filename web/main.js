@@ -17,6 +17,7 @@ const store = new Store({
   pointed: null,
   chosen: null,
   whole: true,
+  skip: false,
   theme: startTheme(),
 });
 
@@ -27,7 +28,7 @@ let playground = null;
 let isDown = false;
 
 const engine = new Engine({
-  current: () => playground?.current() ?? { source: '', format: store.state.format, offset: 0 },
+  current: () => playground?.current() ?? { source: '', format: store.state.format, skip: false, offset: 0 },
   onChange(change) {
     if (isDown) clearNotice();
     isDown = false;

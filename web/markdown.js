@@ -2,16 +2,22 @@
 import { el } from './dom.js';
 
 /**
+ * What stands under a fence, called for one fence after another.
+ * @typedef {(info: string, body: string) => HTMLElement | null} UnderFence
+ */
+
+/**
  * @param {string} source
+ * @param {UnderFence} [underFence]
  * @returns {HTMLElement[]}
  */
-export function markdown(source) {
+export function markdown(source, underFence = () => null) {
   const lines = source.replace(/\r\n?/g, '\n').split('\n');
   /** @type {HTMLElement[]} */
   const blocks = [];
   let i = 0;
   while (i < lines.length) {
-    const [made, next] = block(lines, i);
+    const [made, next] = block(lines, i, underFence);
     if (made !== null) blocks.push(made);
     i = next;
   }
@@ -26,12 +32,13 @@ const ITEM = /^\s*(?:([-*+])|(\d+)[.)])\s+(.*)$/;
  * The block that begins at a line, and the line behind it.
  * @param {string[]} lines
  * @param {number} at
+ * @param {UnderFence} underFence
  * @returns {[HTMLElement | null, number]}
  */
-function block(lines, at) {
+function block(lines, at, underFence) {
   const line = lines[at];
   if (line.trim() === '') return [null, at + 1];
-  if (FENCE.test(line)) return fence(lines, at);
+  if (FENCE.test(line)) return fence(lines, at, underFence);
   const heading = HEADING.exec(line);
   if (heading !== null) {
     // The dialog has the second level itself.
@@ -50,13 +57,17 @@ const startsBlock = (line) => FENCE.test(line) || HEADING.test(line) || ITEM.tes
 /**
  * @param {string[]} lines
  * @param {number} at
+ * @param {UnderFence} underFence
  * @returns {[HTMLElement, number]}
  */
-function fence(lines, at) {
+function fence(lines, at, underFence) {
   const [, mark = '```', info = ''] = FENCE.exec(lines[at]) ?? [];
   let end = at + 1;
   while (end < lines.length && !lines[end].trim().startsWith(mark)) end += 1;
-  return [el('pre', { tabindex: '0', class: info.startsWith('json') ? 'wrapped' : null }, el('code', null, lines.slice(at + 1, end).join('\n'))), end + 1];
+  const body = lines.slice(at + 1, end).join('\n');
+  const made = el('pre', { tabindex: '0', class: info.startsWith('json') ? 'wrapped' : null }, el('code', null, body));
+  const under = underFence(info.trim(), body);
+  return [under === null ? made : el('div', { class: 'example' }, made, under), end + 1];
 }
 
 /**

@@ -1,5 +1,6 @@
 // Makes the views and ties them to one tape: what one of them is told, all of them show.
 import { byId } from './dom.js';
+import { makeDecimals } from './decimals.js';
 import { changeFormat, currentFormat, insertTab, makeEditor, movedBy, moveCursor, replaceAll } from './editor/editor.js';
 import { light } from './editor/lit.js';
 import { makeFormatPanel } from './format-panel/panel.js';
@@ -7,14 +8,15 @@ import { makeHeader } from './header.js';
 import { makeHints } from './hints.js';
 import { makeLayout } from './layout.js';
 import { makeLearn } from './learn.js';
+import { makeOffer } from './offer.js';
 import { makePlot } from './plot/plot.js';
 import { problemCard } from './problem-card.js';
 import { makeProblems } from './problems.js';
 import { makeRulePage } from './rule-page.js';
+import { makeSkip } from './skip.js';
 import { makeStrip } from './strip/strip.js';
 import { makeThemeButton } from './theme.js';
 import { makeTotals } from './totals.js';
-import { counted } from './words.js';
 
 /** @typedef {import('nctape').Preset} Preset */
 /** @typedef {import('@codemirror/view').ViewUpdate} ViewUpdate */
@@ -30,7 +32,15 @@ import { counted } from './words.js';
  */
 export function makePlayground({ store, engine, kinds, presets }) {
   const layout = makeLayout();
-  const rulePage = makeRulePage(engine);
+  const rulePage = makeRulePage({
+    engine,
+    standard: () => store.state.format.standard,
+    load(example) {
+      replaceAll(editor, example);
+      if (layout.narrow()) layout.showTab('program');
+      editor.focus();
+    },
+  });
   const [first] = presets;
   store.set({ format: first.format });
 
@@ -70,21 +80,22 @@ export function makePlayground({ store, engine, kinds, presets }) {
   });
   makeThemeButton(store);
   makeLearn();
-  makeFormatPanel({ store, engine, change: (format) => changeFormat(editor, format) });
+  /** @param {import('nctape').Format} format */
+  const change = (format) => changeFormat(editor, format);
+  const formatPanel = makeFormatPanel({ store, engine, text: () => editor.state.doc, change });
+  makeOffer({ store, engine, suggest: () => formatPanel.suggest() });
   makeStrip({ store, engine, kinds, onRow: (offset) => moveCursor(editor, offset, 'tape') });
   const problems = makeProblems({ store, engine, deeds, textLength: () => editor.state.doc.length, cursor: () => editor.state.selection.main.from });
   makePlot({ store, engine, kinds, onBlock: (offset) => moveCursor(editor, offset, 'path') });
+  makeDecimals({ store, engine, change });
+  makeSkip({ store, engine, cursor: head });
   makeTotals(store);
   byId('tab-key', HTMLElement).addEventListener('click', () => {
     insertTab(editor);
     editor.focus();
   });
 
-  const note = byId('program-note', HTMLElement);
-  store.on(['summary'], ({ summary }) => {
-    note.textContent = summary === null ? '' : counted(summary.blocks, 'block');
-    void refreshMarks();
-  });
+  store.on(['summary'], () => void refreshMarks());
   store.on(['here', 'chosen'], ({ here, chosen }) => light(editor, { block: here?.block ?? null, chosen }));
 
   /** @param {ViewUpdate} update */
@@ -127,7 +138,7 @@ export function makePlayground({ store, engine, kinds, presets }) {
   });
 
   return {
-    current: () => ({ source: editor.state.doc.toString(), format: currentFormat(editor), offset: head() }),
+    current: () => ({ source: editor.state.doc.toString(), format: currentFormat(editor), skip: store.state.skip, offset: head() }),
     changed({ summary, here }) {
       store.set({ summary, here, whole: replaced });
       replaced = false;

@@ -47,6 +47,7 @@ export function makeProblems({ store, engine, deeds, textLength, cursor }) {
           : '';
     empty.classList.toggle('quiet', total > 0);
     tabCount.textContent = total === 0 ? '' : whole(total);
+    tabCount.dataset.worst = summary.errors > 0 ? 'error' : summary.warnings > 0 ? 'warning' : 'info';
     tallies.replaceChildren(...tallyMarks(summary));
     showLit();
     say();

@@ -25,6 +25,8 @@
 const SEVERITIES = ['info', 'warning', 'error'];
 const MOST_LISTED = 500;
 const MOST_MARKS = 1000;
+/** So many blocks tell whether a format fits. */
+const MOST_JUDGED = 500;
 
 /** @param {Tape} tape @param {number} row */
 const kindOfRow = (tape, row) => tape.rows(row, 1).kinds[0] ?? 0;
@@ -94,6 +96,18 @@ export const questions = {
    * @param {number} limit
    */
   problems: (tape, from, to, limit) => tape.diagnostics(from, to, limit),
+
+  /**
+   * Most blocks have an error.
+   * @param {Tape} tape
+   * @param {number} blocks
+   */
+  misfits(tape, blocks) {
+    const judged = Math.min(blocks, MOST_JUDGED);
+    const end = judged === 0 ? 0 : (tape.block(judged - 1)?.to ?? 0);
+    const errors = tape.diagnostics(0, end, 4 * MOST_JUDGED).filter(({ severity }) => severity === 'error');
+    return new Set(errors.map(({ from }) => tape.blockAt(from))).size * 2 > judged;
+  },
 
   /** @param {Tape} tape @param {number} tolerance */
   path: (tape, tolerance) => tape.path(tolerance),

@@ -1,19 +1,39 @@
 // The page of a rule: what it means and why a control objects, with a bad and a good tape.
-import { byId, el } from './dom.js';
+import { button, byId, el } from './dom.js';
 import { markdown } from './markdown.js';
+import { exampleReader } from './rule-examples.js';
 import { severityMark, SEVERITY_WORD } from './severity.js';
 
 /** @typedef {import('nctape').Rule} Rule */
 /** @typedef {import('nctape').Standard} Standard */
 
-/** @param {import('./engine.js').Engine} engine */
-export function makeRulePage(engine) {
+/**
+ * @param {object} parts
+ * @param {import('./engine.js').Engine} parts.engine
+ * @param {() => Standard} parts.standard  that the reader works under
+ * @param {(example: import('./rule-examples.js').Example) => void} parts.load
+ */
+export function makeRulePage({ engine, standard, load }) {
   const dialog = byId('rule-page', HTMLDialogElement);
   dialog.addEventListener('click', (event) => {
     if (event.target === dialog) dialog.close();
   });
   /** @type {Promise<[Rule[], { id: Standard, title: string }[]]> | null} */
   let known = null;
+
+  /** @returns {import('./markdown.js').UnderFence} */
+  function underFence() {
+    const read = exampleReader(standard());
+    return (info, body) => {
+      const example = read(info, body);
+      if (example === null) return null;
+      return button('small', 'Open this example', () => {
+        dialog.close();
+        load(example);
+      });
+    };
+  }
+
   return {
     /** @param {string} id */
     async open(id) {
@@ -21,7 +41,7 @@ export function makeRulePage(engine) {
       const [rules, standards] = await known;
       const rule = rules.find((candidate) => candidate.rule === id || candidate.aliases.includes(id));
       if (rule === undefined) return;
-      dialog.replaceChildren(...pageOf(rule, standards));
+      dialog.replaceChildren(...pageOf(rule, standards, underFence()));
       dialog.scrollTop = 0;
       dialog.showModal();
     },
@@ -31,8 +51,9 @@ export function makeRulePage(engine) {
 /**
  * @param {Rule} rule
  * @param {{ id: Standard, title: string }[]} standards
+ * @param {import('./markdown.js').UnderFence} underFence
  */
-function pageOf(rule, standards) {
+function pageOf(rule, standards, underFence) {
   const verdicts = standards.map(({ id, title }) => {
     const severity = rule.severity[id];
     return el(
@@ -42,7 +63,7 @@ function pageOf(rule, standards) {
       `${title}: ${severity === null ? 'does not apply' : SEVERITY_WORD[severity].toLowerCase()}`,
     );
   });
-  const body = markdown(rule.page);
+  const body = markdown(rule.page, underFence);
   // The page's own heading would say the title twice.
   if (rule.page.trimStart().startsWith('# ')) body.shift();
   return [

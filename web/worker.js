@@ -24,10 +24,11 @@ const changes = {
   /**
    * @param {string} source
    * @param {import('nctape').Format} format
+   * @param {boolean} skip
    * @param {number} offset
    */
-  open(source, format, offset) {
-    const next = new nctape.Tape(source, format);
+  open(source, format, skip, offset) {
+    const next = new nctape.Tape(source, format, { skip });
     tape?.free();
     tape = next;
     return changed(tape, offset);
@@ -35,12 +36,14 @@ const changes = {
   /**
    * @param {[from: number, to: number, insert: string][]} edits  from the last one to the first
    * @param {import('nctape').Format | null} format  null: as it was
+   * @param {boolean | null} skip  null: as it was
    * @param {number} offset
    */
-  alter(edits, format, offset) {
+  alter(edits, format, skip, offset) {
     const on = tapeOrThrow();
     for (const [from, to, insert] of edits) on.edit(from, to, insert);
     if (format !== null) on.setFormat(format);
+    if (skip !== null) on.setSkip(skip);
     return changed(on, offset);
   },
 };
@@ -56,6 +59,9 @@ const facts = {
   formatFields: nctape.formatFields,
   formatLine: nctape.formatLine,
   explainFormat: nctape.explainFormat,
+  suggestFormat: nctape.suggestFormat,
+  decimalPlaces: nctape.decimalPlaces,
+  shiftDecimals: nctape.shiftDecimals,
   /**
    * The 256 columns of tape as one picture.
    * @param {number} pitch

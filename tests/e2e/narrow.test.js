@@ -28,12 +28,20 @@ test('the tabs show one view at a time, under the tape', async () => {
 test('the count of problems stands on its tab, and a problem leads to its place', async () => {
   const { page, leave } = await visit(started, { options });
   await pasteFaulty(page, { 'Y-028284': 'Y-28284' });
-  assert.equal(await page.locator('#tab-count').innerText(), '1');
+  const badge = page.locator('#tab-count');
+  assert.equal(await badge.innerText(), '1');
+  const red = await badge.evaluate((one) => getComputedStyle(one).backgroundColor);
   await page.getByRole('tab', { name: 'Problems' }).tap();
   await page.locator('.problem').first().tap();
   await quiet(page);
   assert.equal(await page.locator('#tab-program').getAttribute('aria-selected'), 'true');
   assert.match(await page.locator('.cm-lit').innerText(), /^N010/);
+
+  await page.locator('.cm-content').focus();
+  await page.keyboard.press('Control+z');
+  await quiet(page);
+  assert.equal(await badge.innerText(), '1', 'the note of the first tape');
+  assert.notEqual(await badge.evaluate((one) => getComputedStyle(one).backgroundColor), red, 'a note alone is not red');
   await leave();
 });
 

@@ -1,7 +1,7 @@
 // With the keyboard alone, by the ear, and at the first visit.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { paste, quiet, settled, startBrowser, visit } from './support/playground.js';
+import { lines, paste, quiet, settled, startBrowser, visit } from './support/playground.js';
 
 /** @type {import('./support/playground.js').Started} */
 let started;
@@ -104,6 +104,29 @@ test('the page of a rule opens from the list', async () => {
   assert.ok((await dialog.locator('pre').count()) > 0, 'with whole tapes as examples');
   await page.keyboard.press('Escape');
   assert.ok(await dialog.isHidden());
+  await leave();
+});
+
+test('the examples of a rule open as tapes under their format, the caret lines left out', async () => {
+  const { page, leave } = await visit(started);
+  await paste(page, (await lines(page)).join('\n').replace('X+015858', 'X+01585').replace('I-000000', 'I+000000'));
+  await page.locator('.about').first().click();
+  const dialog = page.locator('#rule-page');
+  const shown = await dialog.locator('.example code').first().innerText();
+  assert.match(shown, /\^\^/);
+  await dialog.getByRole('button', { name: 'Open this example' }).first().click();
+  await quiet(page);
+  assert.ok(await dialog.isHidden());
+  assert.equal((await lines(page)).join('\n').trim(), shown.split('\n').filter((line) => !/^[ ^]+$/.test(line)).join('\n').trim());
+  assert.match(await page.locator('#format-text').innerText(), /ISO 2539 · CAM 332 · N3G2X\+42/);
+  const problems = await page.locator('.rule-id').allInnerTexts();
+  assert.deepEqual(problems, ['NUM-01'], 'the rule alone');
+  assert.equal(await focused(page), 'program text');
+
+  await page.locator('.about').first().click();
+  await dialog.getByRole('button', { name: 'Open this example' }).nth(1).click();
+  await quiet(page);
+  assert.equal(await page.locator('#problem-list > li').count(), 0, 'the good one');
   await leave();
 });
 

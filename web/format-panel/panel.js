@@ -1,6 +1,7 @@
 // The panel that explains the format and changes it while one looks.
 import { button, byId, el } from '../dom.js';
 import { makeField } from './field.js';
+import { makeSuggestions } from './suggestions.js';
 import { valueAt, withValue } from './value.js';
 
 /** @typedef {import('nctape').Format} Format */
@@ -11,14 +12,17 @@ import { valueAt, withValue } from './value.js';
  * @param {object} parts
  * @param {import('../store.js').Store} parts.store
  * @param {import('../engine.js').Engine} parts.engine
+ * @param {() => { toString(): string }} parts.text
  * @param {(format: Format) => void} parts.change
  */
-export function makeFormatPanel({ store, engine, change }) {
+export function makeFormatPanel({ store, engine, text, change }) {
   const panel = byId('format-panel', HTMLElement);
   const opener = byId('format-button', HTMLElement);
   const words = el('ul', { class: 'explained' });
   const fieldsBox = el('div', { class: 'fields' });
   const standard = el('select', { id: 'field-standard' });
+  const suggestions = makeSuggestions({ store, engine, text, change });
+  const body = el('div', { class: 'drawer-body' });
   const closer = button('small', 'Close', close);
   /** @type {Map<string, import('./field.js').FieldView>} */
   let fields = new Map();
@@ -27,12 +31,12 @@ export function makeFormatPanel({ store, engine, change }) {
 
   panel.append(
     el('div', { class: 'drawer-head' }, el('h2', { id: 'format-head' }, 'Format of the control'), closer),
-    el(
-      'div',
-      { class: 'drawer-body' },
-      el('div', { class: 'field field-choice' }, el('label', { for: 'field-standard' }, 'Standard'), standard),
-      fieldsBox,
-    ),
+    body,
+  );
+  body.append(
+    suggestions.element,
+    el('div', { class: 'field field-choice' }, el('label', { for: 'field-standard' }, 'Standard'), standard),
+    fieldsBox,
   );
   standard.addEventListener('change', () =>
     change({ ...store.state.format, standard: /** @type {Standard} */ (standard.value) }),
@@ -106,4 +110,13 @@ export function makeFormatPanel({ store, engine, change }) {
 
   store.on(['format'], () => void show());
   store.on(['explanation'], judge);
+
+  return {
+    /** Opens with formats that would fit the tape. */
+    suggest() {
+      void open();
+      body.scrollTop = 0;
+      void suggestions.ask();
+    },
+  };
 }

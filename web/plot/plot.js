@@ -6,7 +6,7 @@ import { drawLit, drawPath, drawStart } from './draw.js';
 import { drawGrid } from './grid.js';
 import { spanAt } from './hit.js';
 import { listenToPlotHand } from './input.js';
-import { AXES, PLANES, View } from './view.js';
+import { AXES, isAnotherSize, PLANES, View } from './view.js';
 import { spanCaption, spanLine, spanRows } from './words.js';
 
 /** @typedef {import('../store.js').Store} Store */
@@ -38,6 +38,12 @@ export function makePlot({ store, engine, kinds, onBlock }) {
   let tolerance = Infinity;
   let baseIsTrue = false;
   let fitted = false;
+  /** The tape has changed and its path is not here yet: the picture stays until it is. */
+  let stale = false;
+  /** The format was changed since the last path, which may make all lengths others. */
+  let reformatted = false;
+  /** @type {import('./view.js').Bounds} */
+  let bounds = null;
   let ratio = 1;
 
   /** @param {number} span */
@@ -80,19 +86,36 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     await fetchPath();
   }
 
-  async function fetchPath() {
-    const asked = TOLERANCE / view.scale / 2;
+  async function fetchPath(scale = view.scale) {
+    const asked = TOLERANCE / scale / 2;
     const next = await engine.ask('path', asked);
-    if (next === undefined) return;
+    if (next === undefined) return false;
     path = next;
     tolerance = asked;
     showLegend();
+    redrawAll();
+    return true;
+  }
+
+  /** Shows the path of a changed tape, in the same moment fitted anew where that is due. */
+  async function follow() {
+    stale = true;
+    const { summary } = store.state;
+    const anew = fitted ? null : view.fitting(summary?.bounds ?? null);
+    if (await fetchPath(anew?.scale)) {
+      bounds = summary?.bounds ?? null;
+      if (anew !== null && view.width > 1) {
+        Object.assign(view, anew);
+        fitted = true;
+      }
+    }
+    stale = false;
     redrawAll();
   }
 
   function draw() {
     const { summary, here, pointed, theme } = store.state;
-    if (summary === null || canvas.width === 0) return;
+    if (summary === null || stale || canvas.width === 0) return;
     const colours = palette(theme);
     const font = getComputedStyle(document.documentElement).getPropertyValue('--mono');
     if (!baseIsTrue) {
@@ -212,14 +235,15 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     });
   }
 
-  store.on(['summary'], ({ whole }) => {
-    if (whole) fitted = false;
+  store.on(['format'], () => {
+    reformatted = true;
+  });
+  store.on(['summary'], ({ whole, summary }) => {
+    if (whole || (reformatted && isAnotherSize(bounds, summary?.bounds ?? null))) fitted = false;
+    reformatted = false;
     namePlanes();
-    if (!fitted && view.width > 1) {
-      tolerance = Infinity;
-      fit();
-    } else void fetchPath();
     tellHere();
+    void follow();
   });
   store.on(['here'], () => {
     tellHere();

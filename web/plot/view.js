@@ -2,6 +2,7 @@
 
 /** @typedef {import('nctape').Plane} Plane */
 /** @typedef {[number, number, number]} Point3 */
+/** @typedef {import('nctape').Summary['bounds']} Bounds */
 
 /** The first axis of a plane goes to the right, the second up. @type {Record<Plane, [number, number]>} */
 export const AXES = { xy: [0, 1], zx: [2, 0], yz: [1, 2] };
@@ -76,17 +77,39 @@ export class View {
     this.panBy(x - nowX, y - nowY);
   }
 
-  /** @param {import('nctape').Summary['bounds']} bounds */
+  /** @param {Bounds} bounds */
   fit(bounds) {
+    Object.assign(this, this.fitting(bounds));
+  }
+
+  /**
+   * The scale and the middle under which all within the bounds is seen.
+   * @param {Bounds} bounds
+   */
+  fitting(bounds) {
     const [across, up] = AXES[this.plane];
     const { left, right, top, bottom } = this.margin;
     const min = bounds === null ? [0, 0] : [bounds.min[across], bounds.min[up]];
     const max = bounds === null ? [100, 100] : [bounds.max[across], bounds.max[up]];
     const wide = Math.max(1, this.width - left - right);
     const high = Math.max(1, this.height - top - bottom);
-    const scale = Math.min(wide / Math.max(max[0] - min[0], 1e-9), high / Math.max(max[1] - min[1], 1e-9));
-    this.scale = Math.max(SCALES[0], Math.min(Math.min(SCALES[1], scale), 1e4));
-    this.middle = [(min[0] + max[0]) / 2, (min[1] + max[1]) / 2];
-    this.panBy((left - right) / 2, (top - bottom) / 2);
+    const widest = Math.min(wide / Math.max(max[0] - min[0], 1e-9), high / Math.max(max[1] - min[1], 1e-9));
+    const scale = Math.max(SCALES[0], Math.min(Math.min(SCALES[1], widest), 1e4));
+    const middle = [
+      (min[0] + max[0]) / 2 - (left - right) / 2 / scale,
+      (min[1] + max[1]) / 2 + (top - bottom) / 2 / scale,
+    ];
+    return { scale, middle };
   }
+}
+
+/**
+ * One is so much larger than the other that a view of the one shows nothing of the other.
+ * @param {Bounds} one
+ * @param {Bounds} other
+ */
+export function isAnotherSize(one, other) {
+  if (one === null || other === null) return one !== other;
+  const [a, b] = [one, other].map(({ min, max }) => Math.hypot(...max.map((value, axis) => value - min[axis])));
+  return a > 2 * b || b > 2 * a;
 }
