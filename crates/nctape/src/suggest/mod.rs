@@ -34,10 +34,11 @@ const MOST: usize = 4;
 /// longer listing is surveyed whole, but only its beginning is executed a dozen times.
 const BLOCKS_TRIED: usize = 500;
 
-/// Suggests formats for a listing, best first. A listing without a word gives none.
+/// Suggests formats for a listing, best first. A listing without a word gives none, and neither does one of today's
+/// G-code, whose dimension words have decimal points: no format of a tape fits it.
 pub fn suggest(source: &str) -> Vec<Suggestion> {
     let survey = Survey::of(source);
-    if survey.letters.is_empty() {
+    if survey.letters.is_empty() || survey.decimal_signs {
         return Vec::new();
     }
     let tried = survey.beginning(source, BLOCKS_TRIED);
@@ -53,7 +54,7 @@ pub fn suggest(source: &str) -> Vec<Suggestion> {
     ranked.sort_by_key(|(errors, warnings, _)| (*errors, *warnings));
     let full = |format: Format| {
         let errors = Tape::new(source, &format).count(Severity::Error);
-        let (sure, assumed) = grounds(&survey, &format);
+        let (sure, assumed) = grounds(&survey, &format, errors);
         Suggestion { format, sure, assumed, errors }
     };
     ranked.into_iter().take(MOST).map(|(.., format)| full(format)).collect()
@@ -68,10 +69,17 @@ fn candidates(survey: &Survey) -> Vec<Format> {
     } else {
         &[Standard::Iso2539, Standard::Iso1058]
     };
-    let readings: &[ArcCentre] = if survey.parameters {
-        &[ArcCentre::AsDimensions, ArcCentre::FromStart, ArcCentre::ToStart, ArcCentre::Absolute]
-    } else {
-        &[ArcCentre::AsDimensions]
+    let readings: &[ArcCentre] = match (survey.parameters, survey.unsigned_parameters()) {
+        (false, _) => &[ArcCentre::AsDimensions],
+        (true, false) => &[ArcCentre::AsDimensions, ArcCentre::FromStart, ArcCentre::ToStart, ArcCentre::Absolute],
+        // Where the dimension words have signs and the parameters have none, the control finds the quadrant itself.
+        (true, true) => &[
+            ArcCentre::Quadrant,
+            ArcCentre::AsDimensions,
+            ArcCentre::FromStart,
+            ArcCentre::ToStart,
+            ArcCentre::Absolute,
+        ],
     };
     let mut formats = Vec::new();
     for mark in mode::likely(survey) {
@@ -104,7 +112,7 @@ fn format(survey: &Survey, standard: Standard, mark: SignMark, reading: ArcCentr
 }
 
 /// What the suggestion rests on, in sentences.
-fn grounds(survey: &Survey, format: &Format) -> (Vec<String>, Vec<String>) {
+fn grounds(survey: &Survey, format: &Format, errors: usize) -> (Vec<String>, Vec<String>) {
     let mut sure = Vec::new();
     let mut assumed = Vec::new();
     let letters: String = survey.letters.iter().map(|seen| char::from(seen.address)).collect();
@@ -150,7 +158,8 @@ fn grounds(survey: &Survey, format: &Format) -> (Vec<String>, Vec<String>) {
         assumed.push("F is the reciprocal of time: every block that cuts has its own.".to_owned());
     }
     if let Some(reading) = format.itemized.arc_centre {
-        assumed.push(format!("I, J and K are {}: so the arcs end on their circles.", reading.title()));
+        let why = if errors == 0 { ": so the arcs end on their circles" } else { "" };
+        assumed.push(format!("I, J and K are {}{why}.", reading.title()));
     }
     (sure, assumed)
 }

@@ -2,7 +2,7 @@
 
 use super::detail::SignMark;
 use super::survey::Survey;
-use crate::format::{Dimensions, Format};
+use crate::format::{Detail, Dimensions, Format, Sign};
 
 /// The marks of signed words worth trying, the likelier first.
 pub(super) fn likely(survey: &Survey) -> Vec<SignMark> {
@@ -21,8 +21,17 @@ pub(super) fn likely(survey: &Survey) -> Vec<SignMark> {
 /// coordinates: read as absolute dimensions the steps are the differences of the words, read as increments the words
 /// themselves.
 fn looks_incremental(survey: &Survey) -> bool {
+    // Every increment has its direction: an axis that never has a sign is absolute, and so are the others.
+    if survey.has_unsigned_axis() {
+        return false;
+    }
     let mut axes = survey.coordinates();
     axes.retain(|axis| axis.iter().any(|value| *value != 0));
+    // What goes out comes back: increments of an axis that moves more than twice do not all have one sign.
+    let one_way = |axis: &Vec<i128>| axis.iter().all(|value| *value >= 0) || axis.iter().all(|value| *value <= 0);
+    if axes.iter().any(|axis| axis.iter().filter(|value| **value != 0).count() > 2 && one_way(axis)) {
+        return false;
+    }
     if axes.iter().all(|axis| axis.len() > 1 && axis.iter().sum::<i128>() == 0) {
         return true;
     }
@@ -33,8 +42,9 @@ fn looks_incremental(survey: &Survey) -> bool {
 
 /// Why the format has the dimensions that it has.
 pub(super) fn reason(survey: &Survey, format: &Format) -> &'static str {
+    let words = Detail::read(&format.detail, format.standard).words;
     let incremental = format.itemized.dimensions == Some(Dimensions::Incremental)
-        || format.detail.contains('D') && format.detail.split(['.', '*']).any(|word| word.chars().nth(1) == Some('D'));
+        || words.iter().any(|word| word.dimension && word.sign == Sign::Incremental);
     match (incremental, looks_incremental(survey)) {
         (true, true) => "Dimensions are incremental: the words add up to a closed path, or to the shorter steps.",
         (false, false) => "Dimensions are absolute: so the steps of the tool are the shorter ones.",

@@ -57,6 +57,8 @@ pub(super) struct Survey {
     pub selects_dimensions: bool,
     /// Every block that cuts has an F, and they differ.
     pub feed_in_every_cut: bool,
+    /// Most dimension words have a decimal sign.
+    pub decimal_signs: bool,
     /// Digits of the program number behind `%`.
     pub program_number_digits: Option<u8>,
     /// The numbers of each axis in their order, as written, each with its count of digits.
@@ -90,11 +92,16 @@ impl Survey {
             parameters: false,
             selects_dimensions: false,
             feed_in_every_cut: false,
+            decimal_signs: false,
             program_number_digits: None,
             axes: vec![Vec::new(); DIMENSION_LETTERS.len()],
             axes_at_once: 0,
             ends: reading.blocks.iter().map(|block| block.range.end).collect(),
         };
+        let dimensions: Vec<&&Word> =
+            words.iter().filter(|word| DIMENSION_LETTERS.contains(char::from(word.address))).collect();
+        let signs = dimensions.iter().filter(|word| matches!(word.fault, NumberFault::DecimalSign(_))).count();
+        survey.decimal_signs = 2 * signs > dimensions.len();
         let columns = if system == System::Tab { columns(&reading, source) } else { Vec::new() };
         survey.take_words(&reading, source, &columns);
         let number = reading.programs.first().map(|mark| &source[mark.number.clone()]);
@@ -106,9 +113,10 @@ impl Survey {
     fn take_words(&mut self, reading: &Reading, source: &str, columns: &[u8]) {
         let mut cuts = 0;
         let mut feeds: Vec<i64> = Vec::new();
+        let mut rapid = false;
         for block in &reading.blocks {
             let mut column = 0;
-            let (mut moving, mut feed, mut rapid) = (0, None, false);
+            let (mut moving, mut feed) = (0, None);
             for word in reading.words(block) {
                 column += usize::from(word.tabs);
                 let address = if columns.is_empty() { word.address } else { columns.get(column).copied().unwrap_or(0) };
@@ -126,10 +134,12 @@ impl Survey {
                 };
                 self.letters[seen].take(word, &digits);
                 let value = word.value.unwrap_or(0);
+                if address == b'G' && matches!(value, 0..=3 | 6) {
+                    rapid = value == 0;
+                }
                 match (address, value) {
                     (b'G', 2 | 3 | 6) => self.contours = true,
                     (b'G', 90 | 91) => self.selects_dimensions = true,
-                    (b'G', 0) => rapid = true,
                     (b'F', _) => feed = Some(value),
                     (b'I' | b'J' | b'K', _) => {
                         self.contours = true;
@@ -173,6 +183,18 @@ impl Survey {
     /// Some dimension word has a sign.
     pub(super) fn signed(&self) -> bool {
         self.letters.iter().any(|seen| seen.is_dimension() && seen.signed > 0)
+    }
+
+    /// The interpolation parameters have no signs, though other dimension words have.
+    pub(super) fn unsigned_parameters(&self) -> bool {
+        let is_parameter = |seen: &&Seen| b"IJK".contains(&seen.address);
+        self.signed() && !self.letters.iter().filter(is_parameter).any(|seen| seen.signed > 0)
+    }
+
+    /// Some axis has numbers and never a sign.
+    pub(super) fn has_unsigned_axis(&self) -> bool {
+        let is_axis = |seen: &&Seen| seen.is_dimension() && !b"IJK".contains(&seen.address);
+        self.letters.iter().filter(is_axis).any(|seen| seen.signed == 0)
     }
 
     /// The numbers of each axis in increments: where trailing zeros are left out they are put back.

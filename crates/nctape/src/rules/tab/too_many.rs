@@ -36,6 +36,11 @@ pub(crate) fn surplus(block: &BlockView<'_>) -> Option<(Vec<usize>, usize)> {
     // A tab before the sequence number word is a fault of its own: SEQ-06.
     let idle = block.sequence().map_or(0, |word| usize::from(word.tabs));
     let tabs = super::tabs(block).split_off(idle);
-    let allowed = words.iter().filter(|word| word.address != 'N').count();
+    // A word that may come again has its tab again: several tool words (ISO 2539), several miscellaneous words (ISO
+    // 1058), a second feed word.
+    let again = block.words.windows(2).filter(|pair| pair[0].address == pair[1].address);
+    let again: usize =
+        again.filter(|pair| b"FTM".contains(&pair[1].address)).map(|pair| usize::from(pair[1].tabs)).sum();
+    let allowed = words.iter().filter(|word| word.address != 'N').count() + again;
     (tabs.len() > allowed).then_some((tabs, allowed))
 }
