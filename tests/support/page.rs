@@ -5,6 +5,9 @@ use nctape::format::FormatDiagnostic;
 use nctape::format::value::Value;
 use std::ops::Range;
 
+#[path = "json.rs"]
+mod json;
+
 /// A page.
 pub struct Page {
     /// The first line without its `# `.
@@ -151,21 +154,8 @@ fn without_caret_lines(body: &str) -> (String, Vec<Mark>) {
 
 fn format_example(fence: &Fence<'_>, fault: Option<(String, String)>) -> Result<FormatExample, String> {
     let line = fence.line;
-    let json: serde_json::Value = serde_json::from_str(fence.body).map_err(|error| format!("line {line}: {error}"))?;
-    let value = plain(&json);
+    let value = json::read(fence.body).map_err(|error| format!("line {line}: {error}"))?;
     let (format, problems) =
         Format::read(&value).map_err(|error| format!("line {line}: {}: {}", error.field, error.message))?;
     Ok(FormatExample { line, format, value, problems, fault })
-}
-
-fn plain(json: &serde_json::Value) -> Value {
-    use serde_json::Value as Json;
-    match json {
-        Json::Null => Value::Null,
-        Json::Bool(flag) => Value::Flag(*flag),
-        Json::Number(number) => number.as_f64().map_or(Value::Null, Value::Number),
-        Json::String(text) => Value::Text(text.clone()),
-        Json::Array(items) => Value::List(items.iter().map(plain).collect()),
-        Json::Object(fields) => Value::Map(fields.iter().map(|(name, value)| (name.clone(), plain(value))).collect()),
-    }
 }
