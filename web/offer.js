@@ -1,5 +1,5 @@
 // Offers another format where the present one leaves most blocks in error, as after a paste.
-import { byId, whenQuiet } from './dom.js';
+import { byId, el, whenQuiet } from './dom.js';
 import { counted } from './words.js';
 
 const SETTLE = 400;
@@ -28,7 +28,10 @@ export function makeOffer({ store, engine, suggest }) {
   function show() {
     const { summary } = store.state;
     if (summary === null) return;
-    note.textContent = counted(summary.blocks, 'block') + (misfits ? ', most with errors' : '');
+    note.replaceChildren(
+      counted(summary.blocks, 'block'),
+      misfits ? el('span', { class: 'note-more' }, ', most with errors') : '',
+    );
     offer.hidden = !misfits;
   }
 
