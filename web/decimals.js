@@ -19,6 +19,7 @@ export function makeDecimals({ store, engine, change }) {
   let following = false;
 
   async function refresh() {
+    if (following) return;
     const { format } = store.state;
     if (known?.format === format) {
       slider.value = String(known.places);

@@ -40,7 +40,7 @@ export function makeProblems({ store, engine, deeds, textLength, cursor }) {
     list.replaceChildren(...shown.map(entry));
     if (focused !== null) /** @type {HTMLElement | null} */ (list.children[focused]?.querySelector('button'))?.focus();
     empty.textContent =
-      total === 0
+      total === 0 || summary.blocks === 0
         ? emptyWords(summary)
         : total > shown.length
           ? `… and ${whole(total - shown.length)} more further on. They come up when these are settled.`
