@@ -5,6 +5,8 @@
 //! last line has no line end. Formats stand for all tapes that follow, up to the next format behind a tape. A rule on
 //! the format itself has ` ```json bad PATH "text at fault" ` and ` ```json good ` instead.
 //!
+//! `catalogue.csv` beside them lists every demand of the standards that was looked at, and what became of it.
+//!
 //! `cargo test -p nctape --test rules -- number` runs one family.
 
 #[path = "support/page.rs"]
@@ -32,7 +34,7 @@ families! {
 fn every_rule_has_a_page_and_every_page_a_rule() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/rules");
     let files = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap());
-    let pages: BTreeSet<String> = files.map(|name| name.trim_end_matches(".md").to_owned()).collect();
+    let pages: BTreeSet<String> = files.filter_map(|name| name.strip_suffix(".md").map(str::to_owned)).collect();
     let rules: BTreeSet<String> = ALL.iter().map(|rule| rule.id().to_owned()).collect();
     assert_eq!(pages, rules);
 }
@@ -49,6 +51,53 @@ fn ids_and_names_are_unique_and_of_a_known_family() {
         let tested = FAMILIES.contains(&rule.family()) || rule.family() == "ROW";
         assert!(tested, "{} is of no family that is tested", rule.id());
     }
+}
+
+/// `tests/rules/catalogue.csv` lists what the standards demand, permit or wish, each with what became of it here.
+#[test]
+fn the_catalogue_and_the_rules_agree() {
+    let catalogue = include_str!("rules/catalogue.csv");
+    let mut lines = catalogue.lines().map(fields);
+    assert_eq!(lines.next().unwrap_or_default(), ["id", "standard", "clause", "severity", "state", "reason"]);
+    let mut listed = BTreeSet::new();
+    let mut faults = Vec::new();
+    for line in lines {
+        let [id, .., state, reason] = &line[..] else { panic!("{line:?}") };
+        let rule = ALL.iter().find(|rule| rule.id() == id);
+        let alias_of = ALL.iter().find(|rule| rule.aliases().contains(&id.as_str()));
+        let fits = match state.strip_prefix("alias of ") {
+            // Either the id of another standard's verdict, or a row that says the same as another.
+            Some(other) => match alias_of {
+                Some(rule) => rule.id() == other,
+                None => rule.is_none() && ALL.iter().any(|rule| rule.id() == other) && !reason.is_empty(),
+            },
+            None => match state.as_str() {
+                "rule" => rule.is_some(),
+                "own" => rule.is_some() && !reason.is_empty(),
+                "later" | "permission" => rule.is_none() && alias_of.is_none() && !reason.is_empty(),
+                _ => false,
+            },
+        };
+        if line.len() != 6 || !fits || !listed.insert(id.clone()) {
+            faults.push(format!("{line:?}"));
+        }
+    }
+    let ids = ALL.iter().flat_map(|rule| rule.aliases().into_iter().chain([rule.id()]));
+    faults.extend(ids.filter(|id| !listed.contains(*id)).map(|id| format!("{id} is not listed")));
+    assert!(faults.is_empty(), "\n{}", faults.join("\n"));
+}
+
+/// The fields of a line of comma-separated values, quoted ones too.
+fn fields(line: &str) -> Vec<String> {
+    let (mut fields, mut quoted) = (vec![String::new()], false);
+    for character in line.chars() {
+        match character {
+            '"' => quoted = !quoted,
+            ',' if !quoted => fields.push(String::new()),
+            _ => fields.last_mut().expect("a field").push(character),
+        }
+    }
+    fields
 }
 
 fn check_family(family: &str) {

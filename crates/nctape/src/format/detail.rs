@@ -56,6 +56,14 @@ impl Designation {
         self.before + self.after
     }
 
+    /// A number of so many digits, with this sign, may be a word of this designation.
+    pub(crate) fn fits(&self, sign: Option<u8>, digits: u16) -> bool {
+        let width = u16::from(self.width());
+        let short = self.dimension && self.zeros != Zeros::All;
+        let signed = self.dimension && self.sign != Sign::Positive;
+        (signed || sign.is_none()) && (digits == width || short && digits < width)
+    }
+
     /// The designation as it is written: "X+42".
     pub fn text(&self) -> String {
         let sign = match self.sign {

@@ -15,6 +15,8 @@ pub(crate) enum NumberFault {
     SignInside(u32),
     /// A character that is reported for itself stands in the number.
     Foreign,
+    /// The number stands in the column of another word: it has the shape of the word beside it.
+    Column,
 }
 
 /// A dimension word has at most 9 + 9 digits by its designation; a number of more than 18 digits does not fit i64.

@@ -2,7 +2,7 @@
 
 use super::number::{Number, NumberFault};
 use super::word::Word;
-use crate::format::{Control, System};
+use crate::format::{Control, System, Zeros};
 use crate::text::{Listing, Mark};
 
 /// A character that belongs to no word.
@@ -39,6 +39,10 @@ pub(crate) enum StrayKind {
     Skip,
     /// `%` behind the first word of a block.
     ProgramStart,
+    /// A tab between an address and its digits, which are read as one word.
+    TabBehindAddress,
+    /// A letter in a number for the digit that it looks like: O, I or L.
+    LetterForDigit(char),
 }
 
 impl StrayKind {
@@ -85,6 +89,8 @@ pub(crate) fn scan(
         strays,
         word: None,
         tabs: 0,
+        tab: 0,
+        number_column: 0,
         column: 0,
         skip: None,
         comment: None,
@@ -125,6 +131,10 @@ struct Scanner<'a> {
     word: Option<Open>,
     /// Tabs since the last word.
     tabs: u16,
+    /// The last tab.
+    tab: usize,
+    /// The column of the last number.
+    number_column: usize,
     /// Tabs since the start of the block.
     column: usize,
     skip: Option<usize>,
@@ -183,6 +193,7 @@ impl Scanner<'_> {
             '\t' => {
                 self.finish_word();
                 self.tabs = self.tabs.saturating_add(1);
+                self.tab = from;
                 self.column += 1;
             }
             '/' if !self.any_word && self.skip.is_none() => self.skip = Some(from),
@@ -208,16 +219,42 @@ impl Scanner<'_> {
     /// The word being read; where there is none, one without an address begins, or with the address of the tab
     /// column in a T system.
     fn open(&mut self, from: usize) -> &mut Open {
-        if self.word.is_none() {
+        if self.word.is_none() && !self.resume() {
             let by_column = self.control.system == System::Tab;
             let column = self.control.detail.words.get(self.column).filter(|_| by_column);
             self.start_word(column.map_or(0, |word| word.address as u8), from, from);
             if let Some(word) = &mut self.word {
                 word.by_column = column.is_some();
+                self.number_column = self.column;
             }
         }
         let Some(word) = &mut self.word else { unreachable!("a word was just begun") };
         word
+    }
+
+    /// Takes up the word before one tab, where it is an address without digits in a system with addresses: the tab
+    /// slipped behind the address.
+    fn resume(&mut self) -> bool {
+        let Some(last) = self.words.last().filter(|_| self.any_word && self.tabs == 1) else { return false };
+        let tab = self.start + last.to as usize;
+        let bare = last.fault == NumberFault::Empty && last.sign.is_none() && last.address != 0;
+        if !bare || self.control.system == System::Tab || self.tab != tab {
+            return false;
+        }
+        self.word = Some(Open {
+            address: last.address,
+            lower_case: last.lower_case,
+            by_column: false,
+            tabs: last.tabs,
+            number: Number::EMPTY,
+            from: self.start + last.from as usize,
+            to: tab,
+        });
+        self.words.pop();
+        self.tabs = 0;
+        self.column -= 1;
+        self.stray(StrayKind::TabBehindAddress, tab, tab + 1);
+        true
     }
 
     fn start_word(&mut self, address: u8, from: usize, to: usize) {
@@ -232,6 +269,12 @@ impl Scanner<'_> {
         if number.digits == 0 {
             number.fail(NumberFault::Empty);
         }
+        if self.join_letter(&open) {
+            return;
+        }
+        if open.by_column && number.fault == NumberFault::None && self.strays_column(&number, open.tabs) {
+            number.fail(NumberFault::Column);
+        }
         self.words.push(Word {
             address: open.address,
             lower_case: open.lower_case,
@@ -244,6 +287,49 @@ impl Scanner<'_> {
             from: (open.from - self.start) as u32,
             to: (open.to - self.start) as u32,
         });
+    }
+
+    /// A number whose digits do not fit its column, but those of the column beside it: a tab too few before it, or one
+    /// too many.
+    fn strays_column(&self, number: &Number, tabs: u16) -> bool {
+        let words = &self.control.detail.words;
+        let fits = |column: Option<usize>| {
+            column.and_then(|column| words.get(column)).is_some_and(|word| word.fits(number.sign, number.digits))
+        };
+        let column = Some(self.number_column);
+        let before = self.number_column.checked_sub(1).filter(|_| tabs > 1);
+        !fits(column) && (fits(column.map(|column| column + 1)) || fits(before))
+    }
+
+    /// Joins an O, I or L to the word right before it, where that lacks just the digit that the letter looks like.
+    fn join_letter(&mut self, open: &Open) -> bool {
+        let letter = open.address;
+        let control = self.control;
+        let from = (open.from - self.start) as u32;
+        let meant = matches!(letter, b'O' | b'I' | b'L') && open.number.sign.is_none() && open.tabs == 0;
+        let Some(last) = self.words.last_mut().filter(|last| meant && self.any_word && last.to == from) else {
+            return false;
+        };
+        let Some(designation) = control.designation(last.address).filter(|_| !last.by_column) else { return false };
+        let digits = last.digits + 1 + open.number.digits;
+        let width = u16::from(designation.width());
+        let own = control.designation(letter);
+        // An address that the format has is the letter meant, unless the word before it is short of just these digits
+        // and its own number is too short.
+        let fits = match own {
+            Some(own) => digits == width && open.number.digits < u16::from(own.width()) && own.zeros == Zeros::All,
+            None => digits <= width && !crate::rules::is_declared_letter(char::from(letter), control),
+        };
+        if !fits || !matches!(last.fault, NumberFault::None | NumberFault::Empty | NumberFault::Foreign) {
+            return false;
+        }
+        last.to = (open.to - self.start) as u32;
+        last.digits = digits;
+        last.fault = NumberFault::Foreign;
+        last.value = None;
+        let character = if open.lower_case { letter.to_ascii_lowercase() } else { letter };
+        self.stray(StrayKind::LetterForDigit(char::from(character)), open.from, open.from + 1);
+        true
     }
 
     fn stray(&mut self, kind: StrayKind, from: usize, to: usize) {

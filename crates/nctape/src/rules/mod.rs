@@ -47,6 +47,7 @@ pub static ALL: &[&Rule] = &[
     &comment::colon::RULE,
     &comment::percent::RULE,
     &comment::nested::RULE,
+    &comment::swallowed::RULE,
     &skip::misplaced::RULE,
     &skip::without_sequence::RULE,
     &sequence::missing::RULE,
@@ -75,9 +76,15 @@ pub static ALL: &[&Rule] = &[
     &word::contouring_feed::RULE,
     &word::no_tool_change::RULE,
     &word::trailing_tabs::RULE,
+    &word::letter_for_digit::RULE,
     &tab::in_address_system::RULE,
+    &tab::wrong_column::RULE,
     &tab::too_many::RULE,
+    &tab::missing::RULE,
     &tab::mixed::RULE,
+    &tab::behind_address::RULE,
+    &tab::sign_only::RULE,
+    &tab::other_column::RULE,
     &number::wrong_count::RULE,
     &number::too_many::RULE,
     &number::decimal_sign::RULE,
@@ -175,6 +182,7 @@ pub(crate) fn check_block(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     comment::colon::check(block, sink);
     comment::percent::check(block, sink);
     comment::nested::check(block, sink);
+    comment::swallowed::check(block, sink);
     skip::misplaced::check(block, sink);
     skip::without_sequence::check(block, sink);
     sequence::missing::check(block, sink);
@@ -187,7 +195,10 @@ pub(crate) fn check_block(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     word::two_miscellaneous::check(block, sink);
     word::two_tools::check(block, sink);
     word::trailing_tabs::check(block, sink);
+    word::letter_o::check_block(block, sink);
+    word::letter_for_digit::check(block, sink);
     tab::too_many::check(block, sink);
+    tab::behind_address::check(block, sink);
     tape::last_end::check(block, sink);
     tape::empty_block::check(block, sink);
     compensation::unit_vector::check(block, sink);
@@ -198,7 +209,9 @@ pub(crate) fn check_block(block: &BlockView<'_>, sink: &mut Sink<'_>) {
         word::no_address::check(word, block, sink);
         word::unknown_address::check(word, block, sink);
         word::unassigned_letter::check(word, block, sink);
-        word::letter_o::check(word, block, sink);
+        word::letter_o::check(word, sink);
+        tab::wrong_column::check(word, block, sink);
+        tab::sign_only::check(word, block, sink);
         word::parameters::check(word, block, sink);
         number::wrong_count::check(word, block, sink);
         number::too_many::check(word, block, sink);
@@ -249,7 +262,9 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         word::contouring_feed::check(&block, tape, sink);
     }
     tab::in_address_system::check(tape, sink);
+    tab::missing::check(tape, sink);
     tab::mixed::check(tape, sink);
+    tab::other_column::check(tape, sink);
     function::no_interpolation::check(tape, sink);
     function::not_carried_out::check(tape, sink);
     motion::full_circle::check(tape, sink);

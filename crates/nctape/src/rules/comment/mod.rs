@@ -3,5 +3,6 @@
 pub(crate) mod colon;
 pub(crate) mod nested;
 pub(crate) mod percent;
+pub(crate) mod swallowed;
 pub(crate) mod unclosed;
 pub(crate) mod unopened;

@@ -1,7 +1,8 @@
 //! FEED-13: a cutting block has no feed.
 
-use crate::execute::EventKind;
+use crate::execute::{Event, EventKind};
 use crate::rules::prelude::*;
+use std::collections::BTreeSet;
 
 /// The rule.
 pub static RULE: Rule = Rule {
@@ -12,10 +13,25 @@ pub static RULE: Rule = Rule {
     page: page!("FEED-13"),
 };
 
-/// Said once, with how many blocks it holds for.
+/// Said once, with how many blocks it holds for. Not said where an F cannot be read, which is reported at that word, nor
+/// of a block that is read as G01 because it has no function at all (FUN-05).
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    let mut found = tape.execution.events.iter().filter(|event| matches!(event.kind, EventKind::NoFeed));
-    let Some(event) = found.next() else { return };
+    let events = &tape.execution.events;
+    let blocks = &tape.reading.blocks;
+    let unread =
+        |index: usize| tape.reading.words(&blocks[index]).iter().any(|w| w.address == b'F' && w.value.is_none());
+    let unread: Vec<usize> = (0..blocks.len()).filter(|&index| unread(index)).collect();
+    let has_unread_feed = |index: usize| {
+        let last = unread.partition_point(|&at| at <= index).checked_sub(1);
+        last.is_some_and(|last| blocks[unread[last]].program == blocks[index].program)
+    };
+    let no_function = events.iter().filter(|event| matches!(event.kind, EventKind::NoInterpolation));
+    let no_function: BTreeSet<usize> = no_function.map(|event| event.block).collect();
+    // Under RS-274 a missing function is a note, which would be too little.
+    let assumed = |index: usize| tape.control.standard() == Standard::Iso2539 && no_function.contains(&index);
+    let lacks = |event: &&Event| matches!(event.kind, EventKind::NoFeed) && !has_unread_feed(event.block);
+    let mut found = events.iter().filter(lacks);
+    let Some(event) = found.find(|event| !assumed(event.block)) else { return };
     sink.report(
         &RULE,
         tape.extent(event.block),

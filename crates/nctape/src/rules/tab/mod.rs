@@ -1,14 +1,22 @@
 //! TAB: tabulation.
 
+pub(crate) mod behind_address;
 pub(crate) mod in_address_system;
+pub(crate) mod missing;
 pub(crate) mod mixed;
+pub(crate) mod other_column;
+pub(crate) mod sign_only;
 pub(crate) mod too_many;
+pub(crate) mod wrong_column;
 
-use crate::read::BlockView;
+use crate::read::{BlockView, StrayKind};
 use crate::text::{Listing, Mark};
 
-/// Where the tabs of a block stand, those in comments left out.
+/// Where the tabs of a block stand, those in comments left out, and those behind an address (TAB-06).
 pub(crate) fn tabs(block: &BlockView<'_>) -> Vec<usize> {
     let tabs = Listing::new(block.text).filter(|it| it.mark == Mark::Character('\t') && !it.comment);
-    tabs.map(|tab| tab.from).collect()
+    let slipped = |at: usize| {
+        block.strays.iter().any(|stray| stray.kind == StrayKind::TabBehindAddress && stray.range().start == at)
+    };
+    tabs.map(|tab| tab.from).filter(|&at| !slipped(at)).collect()
 }

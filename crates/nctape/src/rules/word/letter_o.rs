@@ -11,17 +11,19 @@ pub static RULE: Rule = Rule {
     page: page!("WORD-14"),
 };
 
-pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
+pub(crate) fn check(word: &Word, sink: &mut Sink<'_>) {
     if word.address == b'O' {
-        let at = word.range().start;
-        let in_number = block.words.binary_search_by_key(&word.from, |before| before.to).is_ok();
         sink.report(
             &RULE,
             word.range(),
-            "The letter O is not to be used as an address, lest it be taken for a zero. Write the digit 0 where one is \
-             meant; otherwise take the word out."
+            "The letter O is not to be used as an address, lest it be taken for a zero. Take the word out, or write \
+             another address."
                 .to_owned(),
-        )
-        .fixes(in_number.then(|| Fix::replace("Write the digit 0", at..at + 1, "0")));
+        );
     }
+}
+
+/// An O in a number, where a zero belongs.
+pub(crate) fn check_block(block: &BlockView<'_>, sink: &mut Sink<'_>) {
+    super::letter_for_digit::report(&RULE, |letter| matches!(letter, 'O' | 'o'), '0', block, sink);
 }

@@ -4,6 +4,7 @@ pub(crate) mod axis_feed;
 pub(crate) mod common_feed;
 pub(crate) mod contouring_feed;
 pub(crate) mod dimension_order;
+pub(crate) mod letter_for_digit;
 pub(crate) mod letter_o;
 pub(crate) mod no_address;
 pub(crate) mod no_digits;

@@ -1,0 +1,74 @@
+//! CTRL-06: a comment holds what looks like blocks.
+
+use crate::read::StrayKind;
+use crate::rules::prelude::*;
+use crate::text::{Listing, Mark};
+
+/// The rule.
+pub static RULE: Rule = Rule {
+    name: "blocks-in-comment",
+    title: "A comment holds what looks like blocks.",
+    verdicts: Verdicts::all("CTRL-06", Severity::Warning),
+    clauses: &[Clause::Iso2539("B.2 note 4"), Clause::Iso1058("B.2 note 6")],
+    page: page!("CTRL-06"),
+};
+
+pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
+    for (at, end, count) in found(block) {
+        let what = if count == 1 {
+            "what looks like a block".to_owned()
+        } else {
+            format!("{count} lines that look like blocks")
+        };
+        let message = format!(
+            "The comment that begins here runs over {what}, which the control ignores. If they are to be executed, close \
+             the comment before them."
+        );
+        sink.report(&RULE, at..at + 1, message)
+            .count(count)
+            .fix(|| Fix::replace("Close it at the end of the line", end..end, ")"));
+    }
+}
+
+/// A control out at this place stands in a comment that is reported.
+pub(super) fn holds(at: usize, block: &BlockView<'_>) -> bool {
+    found(block).iter().any(|&(open, ..)| open < at && !block.text[open..at].contains(')'))
+}
+
+/// The `(` of each comment that goes on behind a line end and holds what looks like blocks, the first line end, and how
+/// many.
+fn found(block: &BlockView<'_>) -> Vec<(usize, usize, usize)> {
+    // A comment that nothing closes is said to be one: CTRL-01.
+    if block.strays.iter().any(|stray| stray.kind == StrayKind::Unclosed) {
+        return Vec::new();
+    }
+    let mut found: Vec<(usize, usize, usize)> = Vec::new();
+    let mut open = 0;
+    for character in Listing::new(block.text) {
+        match character.mark {
+            Mark::Character('(') if !character.comment => open = character.from,
+            Mark::EndOfBlock if character.comment && begins_block(&block.text[character.to..]) => {
+                match found.last_mut() {
+                    Some((at, _, count)) if *at == open => *count += 1,
+                    _ => found.push((open, first_line_end(block.text, open), 1)),
+                }
+            }
+            _ => {}
+        }
+    }
+    found
+}
+
+fn first_line_end(text: &str, open: usize) -> usize {
+    text[open..].find(['\n', '\r', '*']).map_or(text.len(), |at| open + at)
+}
+
+/// The text begins with a sequence number word and another word behind it.
+fn begins_block(text: &str) -> bool {
+    let line = text.split(['\n', '\r', '*', ')']).next().unwrap_or("").trim_start().trim_start_matches('/');
+    let Some(number) = line.strip_prefix(['N', 'n', ':']) else { return false };
+    let rest = number.trim_start_matches(|digit: char| digit.is_ascii_digit());
+    let mut word = rest.trim_start().chars();
+    let address = word.next().is_some_and(|letter| letter.is_ascii_alphabetic());
+    rest.len() < number.len() && address && word.next().is_some_and(|c| c.is_ascii_digit() || matches!(c, '+' | '-'))
+}
