@@ -267,6 +267,7 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     tab::other_column::check(tape, sink);
     function::no_interpolation::check(tape, sink);
     function::not_carried_out::check(tape, sink);
+    motion::too_many_axes::check_positioning(tape, sink);
     motion::full_circle::check(tape, sink);
     motion::no_motion::check(tape, sink);
     feed::no_own_feed::check(tape, sink);

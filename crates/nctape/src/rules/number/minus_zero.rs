@@ -14,7 +14,7 @@ pub static RULE: Rule = Rule {
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let dimension = block.control.designation(word.address).is_some_and(|designation| designation.dimension);
     if dimension && word.sign == Some(b'-') && word.value == Some(0) {
-        let message = format!("{} says minus zero, which is zero. The printed annex E has one too.", word.letter());
+        let message = format!("{} says minus zero, which is zero. Printed examples have it too.", word.letter());
         sink.report(&RULE, word.range(), message);
     }
 }

@@ -30,7 +30,10 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         });
         let axes = control.axes.iter().filter(|axis| axis.sign.is_some()).map(|axis| axis.letter);
         let axes = axes.filter(|&axis| is_used(axis) && !has(index, axis) && !has(index + 1, axis));
-        let missing: Vec<String> = functions.chain(axes).map(String::from).collect();
+        let mut missing: Vec<char> = functions.chain(axes).collect();
+        // In the order in which they are to be written.
+        missing.sort_by_key(|&letter| control.detail.words.iter().position(|word| word.address == letter));
+        let missing: Vec<String> = missing.into_iter().map(String::from).collect();
         if missing.is_empty() {
             continue;
         }
