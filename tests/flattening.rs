@@ -85,13 +85,14 @@ proptest! {
             prop_assert!(distance(middle, centre) >= low - tolerance, "the chord leaves the tolerance");
             let (a, b) = ([pair[0][0] - centre[0], pair[0][1] - centre[1]], [pair[1][0] - centre[0], pair[1][1] - centre[1]]);
             let step = (a[0] * b[1] - a[1] * b[0]).atan2(a[0] * b[0] + a[1] * b[1]);
-            // Three chords are the least of nearly a full turn, so no step reaches half a turn.
+            // However coarse the tolerance, no step reaches half a turn.
             prop_assert!((step < 0.0) == clockwise);
             swept += step;
         }
         let chords = points.len() - 1;
         let fewest = (swept.abs() / (2.0 * (1.0 - tolerance / first.max(last)).max(-1.0).acos())).ceil();
-        let least = if swept.abs() > 1.5 * std::f64::consts::PI { 3.0 } else { 1.0 };
+        let turns = swept.abs() / std::f64::consts::PI;
+        let least = if turns > 1.5 { 3.0 } else if turns > 1.0 { 2.0 } else { 1.0 };
         // A sweep that is a whole number of steps to the last bit may be counted either way.
         prop_assert!((chords as f64 - fewest.max(least)).abs() <= 1.0 && chords as f64 <= fewest.max(least) + 1.0);
     }

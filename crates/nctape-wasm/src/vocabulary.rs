@@ -87,7 +87,7 @@ pub fn standards() -> JsValue {
     to_js(&Standard::ALL.iter().map(|(_, id, title)| Named { id, title }).collect::<Vec<_>>())
 }
 
-/// The kinds of span by name; a kind k > 0 in a [`crate::live`] window is the entry k - 1.
+/// The kinds of span by name; a kind k > 0 of a row or a path is the entry k - 1.
 #[wasm_bindgen(js_name = spanKinds)]
 pub fn span_kinds() -> Vec<String> {
     SpanKind::ALL.iter().map(|kind| kind.name().to_owned()).collect()

@@ -1,7 +1,7 @@
 //! Arcs as blocks say them: in one block by interpolation parameters, or in two by an intermediate point (4.2.2).
 
 use super::circle::{ArcBlock, ArcFault, tolerance};
-use super::event::{Event, EventKind};
+use super::event::{Event, EventKind, ParameterReading};
 use super::state::{Pending, State};
 use crate::format::{ArcCentre, ArcParameters, power_of_ten};
 use crate::span::{Arc, Geometry, SpanKind};
@@ -12,7 +12,7 @@ impl State<'_> {
         self.finish_span();
         let start = self.position.clone();
         if self.control.arc_parameters != ArcParameters::Centre {
-            self.refuse("arcParameters: angle-radius", &start);
+            self.refuse(ParameterReading::AngleRadius, &start);
             return;
         }
         let [first, second, third] = self.plane.axes();
@@ -22,24 +22,34 @@ impl State<'_> {
         if let Some(word) = moved.or(given) {
             self.note(EventKind::OutOfPlane { word });
         }
-        let block = self.arc_block(clockwise, &start);
-        if block.start == block.end && self.control.format.itemized.full_circle == Some(false) {
-            self.note(EventKind::NoMotion);
+        if moved.is_some() || self.is_doubtful([first, second]) {
+            self.left_out |= self.target == start;
+            self.substitute(&start, self.block);
+            return;
+        }
+        let mut block = self.arc_block(clockwise, &start);
+        // The centre is rounded to its own increment, which may be coarser than that of the axes.
+        for parameter in [first, second].into_iter().filter(|&axis| self.parameters[axis].is_some()) {
+            let places = self.control.designation(b"IJK"[parameter]).map_or(0, |word| word.after);
+            block.tolerance = block.tolerance.max(tolerance(1.0 / power_of_ten(places) as f64));
+        }
+        let full_circle = self.control.format.itemized.full_circle;
+        if block.start == block.end && full_circle == Some(false) {
+            if self.target == start {
+                self.note(EventKind::NoMotion);
+            }
+            self.substitute(&start, self.block);
             return;
         }
         match self.solve(&block, [first, second]) {
-            Ok(arc) if moved.is_none() => {
-                if block.start == block.end
-                    && self.control.format.itemized.full_circle.is_none()
-                    && !self.is_doubtful([first, second])
-                {
+            Ok(arc) => {
+                if block.start == block.end && full_circle.is_none() {
                     self.note(EventKind::FullCircle);
                 }
                 self.push(SpanKind::Arc, (self.block, self.block), &start, Geometry::Arc(arc), Some(arc.sweep));
             }
-            Ok(_) => self.substitute(&start, self.block),
             Err(fault) => {
-                if moved.or(given).is_none() && !self.is_doubtful([first, second]) {
+                if given.is_none() {
                     self.note(EventKind::Arc(fault));
                 }
                 self.substitute(&start, self.block);
@@ -63,11 +73,6 @@ impl State<'_> {
     /// The arc by the reading of I, J and K that the format states. Where the end is off that circle, the reading
     /// under which it is not is named.
     fn solve(&self, block: &ArcBlock, axes: [usize; 2]) -> Result<Arc, ArcFault> {
-        if axes.iter().all(|&axis| self.parameters[axis].is_none_or(|parameter| parameter.value == 0))
-            && self.reading(axes[0]) != ArcCentre::Absolute
-        {
-            return Err(ArcFault::ZeroRadius);
-        }
         let stated = self.control.arc_centre;
         let result = self.arc_by(stated, block, axes);
         let Err(ArcFault::RadiusMismatch { start, end, tolerance, .. }) = result else { return result };
@@ -76,7 +81,8 @@ impl State<'_> {
             let differs = axes.iter().any(|&axis| self.reading_under(stated, axis) != other);
             differs && self.arc_by(other, block, axes).is_ok()
         });
-        Err(ArcFault::RadiusMismatch { start, end, tolerance, fits })
+        let read = self.reading_under(stated, axes[0]);
+        Err(ArcFault::RadiusMismatch { start, end, tolerance, read, fits })
     }
 
     fn arc_by(&self, reading: ArcCentre, block: &ArcBlock, axes: [usize; 2]) -> Result<Arc, ArcFault> {
@@ -152,24 +158,26 @@ impl State<'_> {
         let blocks = (pending.block, self.block);
         let [first, second, third] = self.plane.axes();
         let leaves = |position: &[i64]| position[third] != start[third];
-        if leaves(&self.position) || leaves(&self.target) {
-            self.events.push(Event { block: pending.block, kind: EventKind::OutOfPlane { word: usize::MAX } });
+        let doubtful = pending.doubtful || self.is_doubtful([first, second]);
+        let out_of_plane = !self.control.helix && (leaves(&self.position) || leaves(&self.target));
+        if out_of_plane || doubtful {
+            if !doubtful {
+                self.events.push(Event { block: pending.block, kind: EventKind::ThirdAxisMoves });
+            }
+            self.left_out |= self.target == start;
             self.substitute(&start, pending.block);
             return;
         }
-        let doubtful = pending.doubtful || self.is_doubtful([first, second]);
         let middle = [self.in_unit(first, self.position[first]), self.in_unit(second, self.position[second])];
         match self.arc_block(clockwise, &start).through(middle) {
             Some(arc) => {
-                if (arc.sweep < 0.0) != clockwise && !doubtful {
+                if (arc.sweep < 0.0) != clockwise {
                     self.events.push(Event { block: pending.block, kind: EventKind::OtherWay { clockwise } });
                 }
                 self.push(SpanKind::Arc, blocks, &start, Geometry::Arc(arc), Some(arc.sweep));
             }
             None => {
-                if !doubtful {
-                    self.events.push(Event { block: pending.block, kind: EventKind::OnALine });
-                }
+                self.events.push(Event { block: pending.block, kind: EventKind::OnALine });
                 self.substitute(&start, pending.block);
             }
         }

@@ -11,8 +11,9 @@ pub(crate) enum ArcFault {
     ZeroRadius,
     /// An arc of a control that stays within one quadrant crosses into another.
     LeavesQuadrant,
-    /// The end is not on the circle.
-    RadiusMismatch { start: f64, end: f64, tolerance: f64, fits: Option<ArcCentre> },
+    /// The end is not on the circle: the radii at the ends, how the parameters were read, and the reading under which
+    /// the end is on it.
+    RadiusMismatch { start: f64, end: f64, tolerance: f64, read: ArcCentre, fits: Option<ArcCentre> },
 }
 
 /// The largest difference between the radii at start and end that the rounding of the tape explains.
@@ -44,7 +45,8 @@ impl ArcBlock {
             return Err(ArcFault::ZeroRadius);
         }
         if (start - end).abs() > self.tolerance {
-            return Err(ArcFault::RadiusMismatch { start, end, tolerance: self.tolerance, fits: None });
+            let read = ArcCentre::Absolute;
+            return Err(ArcFault::RadiusMismatch { start, end, tolerance: self.tolerance, read, fits: None });
         }
         let dot = from[0] * to[0] + from[1] * to[1];
         let cross = from[0] * to[1] - from[1] * to[0];

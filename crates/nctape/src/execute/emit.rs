@@ -1,6 +1,6 @@
 //! Spans with their length, feed and time.
 
-use super::event::{Event, EventKind, Limit};
+use super::event::{Event, EventKind, Limit, ParameterReading};
 use super::feed::Feed;
 use super::parabola::{Parabola, norm, subtract};
 use super::state::{Motion, State};
@@ -8,7 +8,7 @@ use crate::format::{ArcFeed, power_of_ten};
 use crate::span::{Geometry, Span, SpanKind};
 
 impl State<'_> {
-    pub(super) fn refuse(&mut self, what: &'static str, start: &[i64]) {
+    pub(super) fn refuse(&mut self, what: ParameterReading, start: &[i64]) {
         self.note(EventKind::NotCarriedOut(Limit::Parameters(what)));
         self.substitute(start, self.block);
     }
@@ -61,8 +61,10 @@ impl State<'_> {
         let minutes = minutes.filter(|minutes| minutes.is_finite() && *minutes > 0.0);
         let feed = minutes.map(|minutes| length / minutes).filter(|feed| feed.is_finite());
         let seconds = minutes.map(|minutes| minutes * 60.0).filter(|seconds| seconds.is_finite());
-        // A feed per minute was judged at its word; a rapid move has none.
-        if let (Some(feed), Feed::Reciprocal(_) | Feed::PerRevolution(_)) = (feed.filter(|_| from != to), self.feed)
+        // A feed per minute was judged at its word; a rapid move has none, and what moves a rotary axis alone has none
+        // along the path.
+        let still = geometry == Geometry::Line && from == to;
+        if let (Some(feed), Feed::Reciprocal(_) | Feed::PerRevolution(_)) = (feed.filter(|_| !still), self.feed)
             && kind != SpanKind::Rapid
         {
             self.note_speed(None, feed);
@@ -98,6 +100,8 @@ impl State<'_> {
     /// Minutes for a cutting span (annex A), noting what the F words lack.
     fn minutes(&mut self, length: f64, sweep: Option<f64>) -> Option<f64> {
         match self.feed {
+            // The feed of a thread is its lead, I, J or K.
+            _ if self.motion == Some(Motion::Line { thread: true }) => None,
             Feed::PerMinute(feed) if feed > 0.0 => Some(length / feed),
             Feed::PerRevolution(feed) if feed > 0.0 => {
                 self.speed.filter(|speed| *speed > 0.0).map(|speed| length / (feed * speed))
@@ -116,8 +120,6 @@ impl State<'_> {
                 Some(if self.control.arc_feed == ArcFeed::Time { by_time } else { by_radians })
             }
             Feed::Unknown => None,
-            // The feed of a thread is its lead, I, J or K.
-            _ if self.motion == Some(Motion::Line { thread: true }) => None,
             Feed::PerMinute(_) | Feed::PerRevolution(_) if self.is_geometric() => {
                 self.note(EventKind::StopFeed);
                 None

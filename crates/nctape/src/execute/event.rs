@@ -27,6 +27,8 @@ pub(crate) enum EventKind {
     TooManyAxes { moving: String, allowed: u8, positioning: bool },
     /// The third axis moves in an arc block, or has a parameter there.
     OutOfPlane { word: usize },
+    /// The third axis moves between the points of an arc in two blocks.
+    ThirdAxisMoves,
     /// An arc that cannot be computed.
     Arc(ArcFault),
     /// An arc that ends where it starts, while it is not stated what that means.
@@ -71,5 +73,16 @@ pub(crate) enum Limit {
     /// A preparatory function.
     Function(u8),
     /// A reading of I, J and K that the format states.
-    Parameters(&'static str),
+    Parameters(ParameterReading),
+}
+
+/// A reading of the interpolation parameters that is not worked out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ParameterReading {
+    /// Arcs by included angle and radius.
+    AngleRadius,
+    /// Parabolas by the slopes at their ends.
+    Slope,
+    /// Parabolas by their focus.
+    Focus,
 }

@@ -15,12 +15,12 @@ mod state;
 mod totals;
 
 pub(crate) use circle::ArcFault;
-pub(crate) use event::{Event, EventKind, Limit};
+pub(crate) use event::{Event, EventKind, Limit, ParameterReading};
 pub use totals::Totals;
 
 use crate::format::Control;
 use crate::function::Group;
-use crate::read::{Block, Reading, Word};
+use crate::read::{Reading, Word};
 use crate::span::Spans;
 use state::State;
 
@@ -57,21 +57,23 @@ pub(crate) fn execute(reading: &Reading, control: &Control, skip: bool) -> Execu
         if ended {
             unreached.push(index);
         } else if !(skip && block.skip) {
-            ended = run_block(&mut state, index, block, reading.words(block));
+            ended = run_block(&mut state, index, reading.words(block));
         }
     }
     state.finish_span();
     if let Some(last) = reading.blocks.len().checked_sub(1) {
         ends.push((last, ended));
     }
-    let (spans, events) = state.results();
-    Execution { totals: Totals::of(&spans), spans, events, unreached, ends }
+    let State { spans, events, left_out, .. } = state;
+    let mut totals = Totals::of(&spans);
+    totals.seconds = totals.seconds.filter(|_| !left_out);
+    Execution { totals, spans, events, unreached, ends }
 }
 
 /// Executes one block; tells whether it ends the program.
-fn run_block(state: &mut State<'_>, index: usize, block: &Block, words: &[Word]) -> bool {
+fn run_block(state: &mut State<'_>, index: usize, words: &[Word]) -> bool {
     let mut ended = false;
-    state.begin_block(index, block);
+    state.begin_block(index);
     for word in words {
         if let Some(code) = word.function(b'G') {
             state.take_preparatory(code);
@@ -96,7 +98,8 @@ fn run_block(state: &mut State<'_>, index: usize, block: &Block, words: &[Word])
 pub(crate) fn is_carried_out(group: Group, code: u8) -> bool {
     match group {
         Group::Motion => !matches!(code, 33..=35),
-        Group::Plane | Group::Dimensions | Group::Positioning | Group::Feed | Group::Spindle => true,
+        Group::Plane | Group::Dimensions | Group::Positioning | Group::Feed => true,
+        Group::Spindle => code == 97,
         Group::Compensation => code == 40,
         Group::Shift => code == 53,
         Group::Cycle => code == 80,

@@ -11,9 +11,8 @@ impl State<'_> {
         if self.is_motionless() {
             return;
         }
-        let addressed = self.words.iter().any(Option::is_some);
-        let parametric = self.parameters.iter().any(Option::is_some);
-        if !addressed && !parametric {
+        let parametric = self.parametric;
+        if !self.addressed && !parametric {
             return;
         }
         let motion = self.motion.unwrap_or_else(|| {
@@ -30,6 +29,10 @@ impl State<'_> {
             Motion::Circle { clockwise } => self.arc_point(clockwise),
             Motion::Parabola if parametric => self.parabola(),
             Motion::Parabola => self.parabola_point(),
+            Motion::Curve => {
+                let start = self.position.clone();
+                self.substitute(&start, self.block);
+            }
         }
         self.position.clone_from(&self.target);
     }
@@ -37,8 +40,10 @@ impl State<'_> {
     /// Ends a span of several blocks that is not complete: its points are joined by a stand-in.
     pub(crate) fn finish_span(&mut self) {
         let Some(pending) = self.pending.take() else { return };
-        let kind = EventKind::Unfinished { parabola: pending.parabola };
-        self.events.push(Event { block: pending.block, kind });
+        if !pending.doubtful {
+            let kind = EventKind::Unfinished { parabola: pending.parabola };
+            self.events.push(Event { block: pending.block, kind });
+        }
         let target = std::mem::replace(&mut self.target, self.position.clone());
         let block = self.block;
         self.block = pending.block;
@@ -97,6 +102,7 @@ impl State<'_> {
             }
         }
         if self.target == self.position {
+            self.left_out |= self.is_doubtful([]);
             // A first block that states the set point moves nothing and is as it should be.
             if self.words.iter().any(Option::is_some) && !self.spans.list.is_empty() && !self.is_doubtful([]) {
                 self.note(EventKind::NoMotion);
@@ -104,6 +110,11 @@ impl State<'_> {
             return;
         }
         let start = self.position.clone();
-        self.push(kind, (self.block, self.block), &start, Geometry::Line, None);
+        // A word that could not be read may have been any: how far the tool moves is not known.
+        if self.is_doubtful((0..self.words.len()).filter(|&axis| self.words[axis].is_some())) {
+            self.substitute(&start, self.block);
+        } else {
+            self.push(kind, (self.block, self.block), &start, Geometry::Line, None);
+        }
     }
 }

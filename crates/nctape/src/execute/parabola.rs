@@ -16,6 +16,12 @@ impl Parabola {
         Parabola { start, tangent, end }
     }
 
+    /// P(t).
+    pub(crate) fn point(&self, t: f64) -> [f64; 3] {
+        let s = 1.0 - t;
+        std::array::from_fn(|i| s * s * self.start[i] + 2.0 * t * s * self.tangent[i] + t * t * self.end[i])
+    }
+
     /// PT - P0: half the velocity at the start.
     pub(crate) fn a(&self) -> [f64; 3] {
         subtract(self.tangent, self.start)

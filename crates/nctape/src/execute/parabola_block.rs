@@ -1,7 +1,7 @@
 //! Parabolas as blocks say them: in one block by the tangent intersection point, or in two by an intermediate point
 //! (4.2.3).
 
-use super::event::{Event, EventKind};
+use super::event::{Event, EventKind, ParameterReading};
 use super::parabola::Parabola;
 use super::state::{Pending, State};
 use crate::format::{ArcCentre, ParabolaParameters};
@@ -13,11 +13,11 @@ impl State<'_> {
         self.finish_span();
         let start = self.position.clone();
         if self.control.parabola_parameters != ParabolaParameters::Tangent {
-            let what = match self.control.parabola_parameters {
-                ParabolaParameters::Focus => "parabolaParameters: focus",
-                _ => "parabolaParameters: slope",
+            let reading = match self.control.parabola_parameters {
+                ParabolaParameters::Focus => ParameterReading::Focus,
+                _ => ParameterReading::Slope,
             };
-            self.refuse(what, &start);
+            self.refuse(reading, &start);
             return;
         }
         let tangent = std::array::from_fn(|axis| {
@@ -54,6 +54,11 @@ impl State<'_> {
         intermediate: bool,
         doubtful: bool,
     ) {
+        if doubtful {
+            self.left_out |= start == self.target;
+            self.substitute(start, blocks.0);
+            return;
+        }
         let increment = (0..3).filter(|&axis| self.control.axes[axis].sign.is_some());
         let increment = increment.map(|axis| self.increment(axis)).fold(0.0, f64::max);
         let degenerate = curve.is_degenerate(increment);
@@ -61,7 +66,7 @@ impl State<'_> {
             true => Some(EventKind::Degenerate { intermediate }),
             false => (intermediate && curve.is_skewed()).then_some(EventKind::Skewed),
         };
-        if let Some(kind) = kind.filter(|_| !doubtful) {
+        if let Some(kind) = kind {
             self.events.push(Event { block: blocks.0, kind });
         }
         if degenerate {

@@ -5,7 +5,7 @@ use super::feed::{self, CodeFault, Feed};
 use super::is_carried_out;
 use crate::format::{Control, Dimensions, FeedCoding, FeedUnit, Plane, Sign, Standard, power_of_ten};
 use crate::function::{Group, Preparatory, preparatory};
-use crate::read::{Block, Word};
+use crate::read::Word;
 use crate::span::Spans;
 
 /// How the tool moves: the functions of group a.
@@ -19,6 +19,8 @@ pub(crate) enum Motion {
     Circle { clockwise: bool },
     /// G06.
     Parabola,
+    /// A G code that the itemized data declares as a curve of higher order.
+    Curve,
 }
 
 /// A point of a span whose last block is still to come.
@@ -45,6 +47,8 @@ pub(crate) struct State<'a> {
     pub incremental: bool,
     pub feed: Feed,
     pub speed: Option<f64>,
+    /// S is a cutting speed: G96.
+    cutting_speed: bool,
     /// An S word was given, readable or not.
     any_speed: bool,
     coding: FeedCoding,
@@ -61,6 +65,10 @@ pub(crate) struct State<'a> {
     /// I, J and K of the block.
     pub parameters: [Option<Parameter>; 3],
     pub own_feed: bool,
+    /// The block has a dimension word, readable or not.
+    pub addressed: bool,
+    /// The block has an interpolation parameter, readable or not.
+    pub parametric: bool,
     /// A dimension word or parameter of the block could not be read.
     unread: bool,
     /// The axes whose position is a guess, because a word of theirs could not be read: now, and at the start of the
@@ -72,6 +80,8 @@ pub(crate) struct State<'a> {
 
     pub spans: Spans,
     pub events: Vec<Event>,
+    /// A motion could not be drawn at all, because no word of it could be read.
+    pub left_out: bool,
 }
 
 impl<'a> State<'a> {
@@ -84,6 +94,7 @@ impl<'a> State<'a> {
             incremental: control.dimensions == Dimensions::Incremental,
             feed: Feed::None,
             speed: None,
+            cutting_speed: false,
             any_speed: false,
             coding: control.feed,
             unit: control.feed_unit,
@@ -94,6 +105,8 @@ impl<'a> State<'a> {
             words: vec![None; axes],
             parameters: [None; 3],
             own_feed: false,
+            addressed: false,
+            parametric: false,
             unread: false,
             lost: 0,
             lost_at_start: 0,
@@ -101,6 +114,7 @@ impl<'a> State<'a> {
             preload: false,
             spans: Spans::new(axes),
             events: Vec::new(),
+            left_out: false,
         }
     }
 
@@ -108,23 +122,21 @@ impl<'a> State<'a> {
     pub(crate) fn restart(&mut self) {
         let (position, spans, events) =
             (std::mem::take(&mut self.position), std::mem::take(&mut self.spans), std::mem::take(&mut self.events));
-        *self = State { position, spans, events, ..State::new(self.control) };
-    }
-
-    pub(crate) fn results(self) -> (Spans, Vec<Event>) {
-        (self.spans, self.events)
+        *self = State { position, spans, events, left_out: self.left_out, ..State::new(self.control) };
     }
 
     pub(crate) fn note(&mut self, kind: EventKind) {
         self.events.push(Event { block: self.block, kind });
     }
 
-    pub(crate) fn begin_block(&mut self, index: usize, _block: &Block) {
+    pub(crate) fn begin_block(&mut self, index: usize) {
         self.block = index;
         self.target.clone_from(&self.position);
         self.words.fill(None);
         self.parameters = [None; 3];
         self.own_feed = false;
+        self.addressed = false;
+        self.parametric = false;
         self.unread = false;
         self.lost_at_start = self.lost;
         self.motionless = false;
@@ -132,7 +144,10 @@ impl<'a> State<'a> {
     }
 
     pub(crate) fn take_preparatory(&mut self, code: u8) {
-        let Preparatory::Assigned(group, _) = preparatory(code) else { return };
+        let Preparatory::Assigned(group, _) = preparatory(code) else {
+            self.take_declared(code);
+            return;
+        };
         match (group, code) {
             (Group::Motion, _) => {
                 let motion = match code {
@@ -141,21 +156,25 @@ impl<'a> State<'a> {
                     6 => Motion::Parabola,
                     _ => Motion::Line { thread: code >= 33 },
                 };
-                if self.motion != Some(motion) {
+                self.set_motion(motion);
+            }
+            (Group::Plane, _) => {
+                let plane = match code {
+                    17 => Plane::Xy,
+                    18 => Plane::Zx,
+                    _ => Plane::Yz,
+                };
+                if self.plane != plane {
                     self.finish_span();
                 }
-                self.motion = Some(motion);
+                self.plane = plane;
             }
-            (Group::Plane, 17) => self.plane = Plane::Xy,
-            (Group::Plane, 18) => self.plane = Plane::Zx,
-            (Group::Plane, _) => self.plane = Plane::Yz,
             (Group::Dimensions, _) => self.incremental = code == 91,
-            (Group::Feed, 93) => self.coding = FeedCoding::TimeReciprocal,
-            (Group::Feed, _) => {
-                self.unit = if code == 95 { FeedUnit::PerRevolution } else { FeedUnit::PerMinute };
-                if self.coding == FeedCoding::TimeReciprocal {
-                    self.coding = FeedCoding::Direct;
-                }
+            (Group::Feed, _) => self.set_feed_kind(code),
+            (Group::Spindle, _) => {
+                // Under constant cutting speed the revolutions hang on the diameter, which no tape says.
+                self.cutting_speed = code == 96;
+                self.speed = None;
             }
             (Group::Once, 4) => self.motionless = true,
             (Group::Once, 92) => self.preload = true,
@@ -164,6 +183,39 @@ impl<'a> State<'a> {
         if !is_carried_out(group, code) {
             self.note(EventKind::NotCarriedOut(Limit::Function(code)));
         }
+    }
+
+    fn set_motion(&mut self, motion: Motion) {
+        if self.motion != Some(motion) {
+            self.finish_span();
+        }
+        self.motion = Some(motion);
+    }
+
+    /// G93 to G95. An F word of another kind of feed says nothing of the new one: it must be given again.
+    fn set_feed_kind(&mut self, code: u8) {
+        let before = (self.coding, self.unit);
+        self.coding = match (code, self.control.feed) {
+            (93, _) => FeedCoding::TimeReciprocal,
+            (_, FeedCoding::TimeReciprocal) => FeedCoding::Direct,
+            (_, coding) => coding,
+        };
+        self.unit = if code == 95 { FeedUnit::PerRevolution } else { FeedUnit::PerMinute };
+        if before != (self.coding, self.unit) {
+            self.feed = Feed::None;
+        }
+    }
+
+    /// A function that only the itemized data gives a meaning.
+    fn take_declared(&mut self, code: u8) {
+        let stated = &self.control.format.itemized;
+        let name = format!("G{code:02}");
+        if stated.curves.as_ref().is_some_and(|curves| curves.contains_key(&name)) {
+            self.set_motion(Motion::Curve);
+        } else if stated.declared.as_ref().is_none_or(|declared| !declared.g.contains_key(&name)) {
+            return;
+        }
+        self.note(EventKind::NotCarriedOut(Limit::Function(code)));
     }
 
     pub(crate) fn take_feed(&mut self, place: usize, word: &Word) {
@@ -177,7 +229,7 @@ impl<'a> State<'a> {
 
     pub(crate) fn take_speed(&mut self, place: usize, word: &Word) {
         self.any_speed = true;
-        self.speed = feed::read_speed(word, self.control);
+        self.speed = feed::read_speed(word, self.control).filter(|_| !self.cutting_speed);
         self.note_code(place, feed::speed_fault(word, self.control));
     }
 
@@ -214,7 +266,11 @@ impl<'a> State<'a> {
     pub(crate) fn take_dimension(&mut self, place: usize, word: &Word) {
         let parameter = b"IJK".iter().position(|&letter| letter == word.address);
         let axis = self.control.axis(word.address);
-        let Some(value) = word.value else {
+        // A word that the detail lacks has no place for its decimal sign: it says no number of millimetres.
+        self.parametric |= parameter.is_some();
+        self.addressed |= axis.is_some();
+        let designated = self.control.designation(word.address).is_some_and(|designation| designation.dimension);
+        let Some(value) = word.value.filter(|_| designated) else {
             self.unread |= parameter.is_some() || axis.is_some();
             self.lost |= axis.map_or(0, bit);
             return;
@@ -224,10 +280,12 @@ impl<'a> State<'a> {
             return;
         }
         let Some(axis) = axis else { return };
-        if !self.is_incremental(axis) {
+        // G92 loads the register with the value itself, whatever the dimensions.
+        let relative = self.is_incremental(axis) && !self.preload;
+        if !relative {
             self.lost &= !bit(axis);
         }
-        let target = if self.is_incremental(axis) { self.position[axis].checked_add(value) } else { Some(value) };
+        let target = if relative { self.position[axis].checked_add(value) } else { Some(value) };
         match target {
             Some(target) => {
                 self.target[axis] = target;

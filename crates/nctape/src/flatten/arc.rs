@@ -6,8 +6,16 @@ use crate::span::Arc;
 /// r (1 - cos(a/2)), so the fewest with their ends on the arc are s / (2 acos(1 - e/r)), rounded up.
 pub(super) fn chords(radius: f64, sweep: f64, tolerance: f64, most: usize) -> usize {
     let sweep = sweep.abs();
-    // A chord of more than half a turn would be no picture of it: at least three for a full circle.
-    let least = if sweep > std::f64::consts::PI * 1.5 { 3.0 } else { 1.0 };
+    // A chord over half a turn or more would say nothing of the way round: two for more than half a turn, three for a
+    // full circle, whose two would fall together.
+    let turns = sweep / std::f64::consts::PI;
+    let least = if turns > 1.5 {
+        3.0
+    } else if turns > 1.0 {
+        2.0
+    } else {
+        1.0
+    };
     let step = 2.0 * libm::acos((1.0 - tolerance / radius).max(-1.0));
     // A step of zero (a tolerance below the last digit of the radius) divides to infinity, which the limit catches.
     (sweep / step).ceil().max(least).min(most as f64) as usize

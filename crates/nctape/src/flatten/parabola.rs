@@ -21,9 +21,17 @@ pub(super) fn inner_points(
     let curve = Parabola { start, tangent, end };
     let flattening = Flattening { a: curve.a(), d: curve.d(), k: curve.k() };
     let count = flattening.count(tolerance, most);
+    if count >= most {
+        // The tolerance cannot be kept, and the steps would end before the curve does: as many even ones as allowed.
+        for index in 1..count {
+            give(curve.point(index as f64 / count as f64));
+        }
+        return;
+    }
     let (mut low, mut high) = (0.0, tolerance);
     // Evenness is for the eye: a hundredth of the tolerance is enough of it, and that is seven halvings.
-    for _ in 0..7 {
+    let halvings = if count <= EVENED { 7 } else { 0 };
+    for _ in 0..halvings {
         let middle = (low + high) / 2.0;
         if flattening.count(middle, count + 1) > count { low = middle } else { high = middle }
     }
@@ -34,10 +42,12 @@ pub(super) fn inner_points(
         if t >= 1.0 {
             break;
         }
-        let s = 1.0 - t;
-        give(std::array::from_fn(|i| s * s * start[i] + 2.0 * t * s * tangent[i] + t * t * end[i]));
+        give(curve.point(t));
     }
 }
+
+/// The most chords among which the last step is evened out: among more, no eye finds it.
+const EVENED: usize = 256;
 
 /// How near a step comes to the longest one that fits, as a part of it. Far below what changes a count of steps.
 const STEP_PRECISION: f64 = 1e-9;

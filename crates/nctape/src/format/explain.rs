@@ -132,9 +132,9 @@ fn word_sentence(word: &Designation, control: &Control) -> String {
             _ => "word",
         };
         let digits = if word.after == 0 {
-            format!("{} digits", word.width())
+            digits(word.width())
         } else {
-            format!("{} digits before and {} behind the implicit decimal sign", word.before, word.after)
+            format!("{} before and {} behind the implicit decimal sign", digits(word.before), word.after)
         };
         return format!("{text}: {what}, {digits}{tab}.");
     }
@@ -153,9 +153,16 @@ fn word_sentence(word: &Designation, control: &Control) -> String {
         Zeros::TrailingOmitted => "trailing zeros may be left out",
     };
     format!(
-        "{text}: {what} {}, {sign}, {} digits before and {} behind the implicit decimal sign; {zeros}{tab}.",
-        word.address, word.before, word.after
+        "{text}: {what} {}, {sign}, {} before and {} behind the implicit decimal sign; {zeros}{tab}.",
+        word.address,
+        digits(word.before),
+        word.after
     )
+}
+
+/// "1 digit", "4 digits".
+fn digits(count: u8) -> String {
+    rules::digits(u16::from(count))
 }
 
 fn itemized_sentences(control: &Control) -> Vec<String> {

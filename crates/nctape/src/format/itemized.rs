@@ -182,7 +182,7 @@ pub struct Declared {
 }
 
 choices! {
-    /// Yes or no, as a code on tape is a choice of two.
+    /// The character code of a tape, as a format names it.
     TapeCode {
         /// ISO 840.
         Iso = "iso", "ISO 840 (RS-358), even parity";
@@ -403,9 +403,9 @@ itemized! {
     /// Digits of a program number after `%`.
     program_number_digits: u8, "programNumberDigits", "Tape", "Digits of a program number", "none", "A number right behind the program start character marks one of several programs on a tape (B.2 note 3).";
     /// Rows per second.
-    reader_speed: Positive, "readerSpeed", "Tape", "Reader speed in rows per second", "300", "How fast the reader draws the tape.";
+    reader_speed: Positive, "readerSpeed", "Tape", "Reader speed in rows per second", "300", "How fast the reader draws the tape. It is kept with the format; nothing is worked out from it here.";
     /// One block is read ahead.
-    buffered: bool, "buffered", "Tape", "Block buffer", "yes", "Whether the next block is read while this one is executed.";
+    buffered: bool, "buffered", "Tape", "Block buffer", "yes", "Whether the next block is read while this one is executed. It is kept with the format; nothing is worked out from it here.";
 
     /// Dimensions at the start, where the detail leaves it open.
     dimensions: Dimensions, "dimensions", "Dimensions", "Dimensions at the start", "absolute", "Where the detail has L, and always under RS-274: how dimension words are read until G90 or G91.";
@@ -423,7 +423,7 @@ itemized! {
     /// What I, J, K say of a parabola.
     parabola_parameters: ParabolaParameters, "parabolaParameters", "Interpolation", "Parabola parameters", "the tangent intersection point", "What I, J and K say of a parabola.";
     /// A third axis may move in an arc block.
-    helix: bool, "helix", "Interpolation", "Helix", "where the third digit of the classification is 3", "Whether a third axis may move in an arc block.";
+    helix: bool, "helix", "Interpolation", "Helix", "where the third digit of the classification is 3 or more", "Whether a third axis may move in an arc block.";
     /// End equal to start is a full circle.
     full_circle: bool, "fullCircle", "Interpolation", "Full circle", "yes, with a note", "Whether an arc that ends where it starts is a full circle.";
     /// Curves of higher order.
@@ -450,14 +450,14 @@ itemized! {
     /// Greatest feed.
     maximum_feed: Positive, "maximumFeed", "Speeds", "Greatest feed per minute", "not stated", "The greatest feed of the machine.";
     /// The word of a dwell.
-    dwell: Dwell, "dwell", "Speeds", "Dwell", "not stated", "Which word carries the time of a dwell (G04), and in what unit.";
+    dwell: Dwell, "dwell", "Speeds", "Dwell", "not stated", "Which word carries the time of a dwell (G04), and in what unit. It is kept with the format; nothing is worked out from it here.";
 
     /// P, Q, R are compensation vectors.
     compensation: bool, "compensation", "Tool", "P, Q, R are compensation vectors", "no: tertiary motions", "Whether P, Q and R carry the unit vector of cutter compensation (clause 5).";
     /// Radius of the cutter.
-    cutter_radius: Positive, "cutterRadius", "Tool", "Cutter radius", "not stated", "For drawing the compensated path.";
+    cutter_radius: Positive, "cutterRadius", "Tool", "Cutter radius", "not stated", "For drawing the compensated path. It is kept with the format; nothing is worked out from it here.";
     /// Digits of T that select the compensation.
-    compensation_digits: u8, "compensationDigits", "Tool", "Compensation digits of T", "none", "The last digits of T that select the tool compensation (3.3.4.5).";
+    compensation_digits: u8, "compensationDigits", "Tool", "Compensation digits of T", "none", "The last digits of T that select the tool compensation (3.3.4.5). It is kept with the format; nothing is worked out from it here.";
 
     /// Meanings that the builder gave.
     declared: Declared, "declared", "Declared meanings", "Declared codes and letters", "none", "Codes and letters to which the builder gave a meaning.";

@@ -48,9 +48,6 @@ impl Format {
                 _ => unknown_field::report(standard, name, &mut problems),
             }
         }
-        if value.get("detail").is_none() {
-            unusable_value::report(standard, "detail", &Value::Null, "a text such as \"N3.G2.X+42*\"", &mut problems);
-        }
         Ok((format, problems))
     }
 

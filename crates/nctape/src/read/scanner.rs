@@ -25,6 +25,8 @@ impl Stray {
 pub(crate) enum StrayKind {
     /// It is no character of the tape's format.
     Foreign(char),
+    /// Blank tape, backspace or delete: it is punched, and a control disregards it.
+    Disregarded(char),
     /// The code lacks it; it stands in a comment.
     InComment(char),
     /// `)` without `(`.
@@ -199,6 +201,8 @@ impl Scanner<'_> {
             '/' if !self.any_word && self.skip.is_none() => self.skip = Some(from),
             '/' => self.stray(StrayKind::Skip, from, to),
             '%' => self.stray(StrayKind::ProgramStart, from, to),
+            // Blank tape, backspace and delete are in the code and mean nothing: the word goes on behind them.
+            '\0' | '\u{8}' | '\u{7F}' => self.stray(StrayKind::Disregarded(character), from, to),
             _ => {
                 self.stray(StrayKind::Foreign(character), from, to);
                 if let Some(word) = &mut self.word {

@@ -22,7 +22,7 @@ pub(crate) mod tape;
 mod view;
 pub(crate) mod word;
 
-pub(crate) use prelude::is_declared_letter;
+pub(crate) use prelude::{digits, is_declared_letter};
 pub use rule::{Clause, Rule, Verdict, Verdicts};
 pub(crate) use view::TapeView;
 

@@ -2,7 +2,7 @@
 
 use crate::execute::EventKind;
 use crate::rules::prelude::*;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 /// The rule.
 pub static RULE: Rule = Rule {
@@ -16,18 +16,20 @@ pub static RULE: Rule = Rule {
 /// Said once for each code, with how many words it holds for; once for all of an address whose table is not stated.
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     let stated = &tape.control.format.itemized;
-    let mut said: Vec<(u8, Option<i64>, std::ops::Range<usize>, usize)> = Vec::new();
+    let mut said: Vec<(u8, std::ops::Range<usize>, usize)> = Vec::new();
+    let mut places: HashMap<(u8, Option<i64>), usize> = HashMap::new();
     for event in &tape.execution.events {
         let EventKind::Unlisted { word } = event.kind else { continue };
         let Some((range, word)) = tape.word(event.block, word) else { continue };
         let table = if word.address == b'F' { &stated.symbolic_feeds } else { &stated.symbolic_speeds };
         let code = word.value.filter(|_| table.is_some());
-        match said.iter_mut().find(|other| (other.0, other.1) == (word.address, code)) {
-            Some(other) => other.3 += 1,
-            None => said.push((word.address, code, range, 1)),
+        let place = *places.entry((word.address, code)).or_insert(said.len());
+        match said.get_mut(place) {
+            Some(other) => other.2 += 1,
+            None => said.push((word.address, range, 1)),
         }
     }
-    for (address, _, range, count) in said {
+    for (address, range, count) in said {
         let (field, table, what) = match address {
             b'F' => ("symbolicFeeds", &stated.symbolic_feeds, "feed"),
             _ => ("symbolicSpeeds", &stated.symbolic_speeds, "spindle speed"),

@@ -1,6 +1,6 @@
 //! FUN-09: a function is read, but the path does not show what it does.
 
-use crate::execute::{EventKind, Limit};
+use crate::execute::{EventKind, Limit, ParameterReading};
 use crate::function::{Preparatory, preparatory};
 use crate::rules::prelude::*;
 
@@ -27,19 +27,34 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     for (limit, block, count) in said {
         let message = match limit {
             Limit::Function(code) => {
+                let name = format!("G{code:02}");
+                let declared = tape.control.format.itemized.declared.as_ref();
                 let meaning = match preparatory(code) {
                     Preparatory::Assigned(_, meaning) => meaning,
-                    _ => "not assigned",
+                    _ => declared.and_then(|declared| declared.g.get(&name)).map_or("curve", String::as_str),
+                };
+                if code == 92 {
+                    "G92 (Preload of registers) moves no tool: from here the dimensions count from another origin. The \
+                     path is drawn in the new coordinates, so that it seems to jump."
+                        .to_owned()
+                } else {
+                    format!(
+                        "G{code:02} ({meaning}) is read and checked, but the playground does not work out what it does to \
+                     the path: positions and times here leave it out."
+                    )
+                }
+            }
+            Limit::Parameters(reading) => {
+                let what = match reading {
+                    ParameterReading::AngleRadius => "arcParameters: angle-radius",
+                    ParameterReading::Slope => "parabolaParameters: slope",
+                    ParameterReading::Focus => "parabolaParameters: focus",
                 };
                 format!(
-                    "G{code:02} ({meaning}) is read and checked, but the playground does not work out what it does to \
-                     the path: positions and times here leave it out."
+                    "The playground does not work out the reading {what} of I, J and K: the span is drawn as a straight \
+                     stand-in, its time is not known."
                 )
             }
-            Limit::Parameters(what) => format!(
-                "The playground does not work out the reading {what} of I, J and K: the span is drawn as a straight \
-                 stand-in, its time is not known."
-            ),
         };
         let range = match limit {
             Limit::Function(code) => tape.function(block, b'G', code),

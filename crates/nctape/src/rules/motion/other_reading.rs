@@ -15,7 +15,9 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(event: &Event, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    let EventKind::Arc(ArcFault::RadiusMismatch { start, end, fits: Some(fits), .. }) = event.kind else { return };
+    let EventKind::Arc(ArcFault::RadiusMismatch { start, end, read, fits: Some(fits), .. }) = event.kind else {
+        return;
+    };
     let places = tape.places();
     let stated = tape.control.arc_centre;
     let message = format!(
@@ -25,7 +27,10 @@ pub(crate) fn check(event: &Event, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         stated.title(),
         fits.title()
     );
-    let signs = reversed(event.block, tape).filter(|_| stated != ArcCentre::Absolute && fits != ArcCentre::Absolute);
+    // Only these two differ by their signs.
+    let opposite =
+        matches!((read, fits), (ArcCentre::FromStart, ArcCentre::ToStart) | (ArcCentre::ToStart, ArcCentre::FromStart));
+    let signs = reversed(event.block, tape).filter(|_| opposite);
     let mut format = tape.control.format.clone();
     format.itemized.arc_centre = Some(fits);
     let title = format!("Read I, J and K as {} (arcCentre: {})", fits.title(), fits.word());

@@ -13,9 +13,13 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(event: &Event, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    let EventKind::OutOfPlane { word } = event.kind else { return };
+    let word = match event.kind {
+        EventKind::OutOfPlane { word } => Some(word),
+        EventKind::ThirdAxisMoves => None,
+        _ => return,
+    };
     let block = &tape.reading.blocks[event.block];
-    let (range, what) = match tape.reading.words(block).get(word) {
+    let (range, what) = match word.and_then(|word| tape.reading.words(block).get(word)) {
         Some(word) => {
             let what = match word.letter() {
                 letter @ ('I' | 'J' | 'K') => format!("{letter} belongs to the third axis of the plane"),

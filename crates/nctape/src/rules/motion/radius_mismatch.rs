@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(event: &Event, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    let EventKind::Arc(ArcFault::RadiusMismatch { start, end, tolerance, fits: None }) = event.kind else { return };
+    let EventKind::Arc(ArcFault::RadiusMismatch { start, end, tolerance, fits: None, .. }) = event.kind else { return };
     let places = tape.places();
     let message = format!(
         "The end is not on the circle: the radius is {start:.places$} at the start and {end:.places$} at the end; they \

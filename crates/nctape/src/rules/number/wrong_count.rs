@@ -30,14 +30,13 @@ pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
         format!("{} has {}; this format wants {wanted} ({}).", word.letter(), digits(word.digits), designation.text());
     sink.report(&RULE, word.range(), message).fix(|| {
         let text = &block.text[word.range()];
-        let padded = pad(text, usize::from(wanted));
+        let padded = pad(text, wanted.saturating_sub(word.digits));
         Fix::replace(format!("Fill it up with zeros in front: {padded}"), word.range(), padded)
     });
 }
 
-/// Puts zeros before the first digit, up to a count of digits.
-fn pad(text: &str, wanted: usize) -> String {
-    let written = text.bytes().filter(u8::is_ascii_digit).count();
+/// Puts zeros before the first digit.
+fn pad(text: &str, zeros: u16) -> String {
     let first = text.find(|c: char| c.is_ascii_digit()).unwrap_or(text.len());
-    format!("{}{}{}", &text[..first], "0".repeat(wanted.saturating_sub(written)), &text[first..])
+    format!("{}{}{}", &text[..first], "0".repeat(usize::from(zeros)), &text[first..])
 }

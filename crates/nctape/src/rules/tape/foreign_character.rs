@@ -40,6 +40,16 @@ pub(crate) fn check(strays: &[Stray], control: &Control, sink: &mut Sink<'_>) {
                     Fix::replace(title, range, meant)
                 }));
             }
+            StrayKind::Disregarded(character) => {
+                let joined =
+                    |pair: &[Stray]| pair[0].to == pair[1].from && matches!(pair[1].kind, StrayKind::Disregarded(_));
+                let more = strays[at - 1..].windows(2).take_while(|pair| joined(pair)).count();
+                at += more;
+                let name = control.code.row(character).and_then(|row| control.code.meaning(row)).map_or("", |it| it.1);
+                let message = format!("{} is punched as {name}; a control disregards it.", named(character));
+                let range = stray.range().start..strays[at - 1].range().end;
+                sink.report_as(Severity::Info, &RULE, range, message).count(1 + more);
+            }
             StrayKind::InComment(character) => {
                 let message =
                     format!("{} has no row in {code}: it is left out of the comment on the tape.", named(character));
