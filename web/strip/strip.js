@@ -150,6 +150,10 @@ export function makeStrip({ store, engine, kinds, onRow }) {
     },
     async goToBlock(direction) {
       const at = windows.row(Math.round(position))?.block ?? -1;
+      if (direction < 0 && at <= 0) {
+        this.go(0);
+        return;
+      }
       const block = await engine.ask('block', Math.max(0, at + direction));
       if (block) this.go(block.rows[0]);
     },

@@ -92,9 +92,10 @@ impl State<'_> {
         self.spans.push(span, unit(start).into_iter(), unit(&self.target).into_iter());
     }
 
-    /// The feed as the tape states it, where it states one along the path.
+    /// The feed as the tape states it, where it states one along the path. A thread runs by its lead.
     fn plain_feed(&self) -> Option<f64> {
-        if let Feed::PerMinute(feed) = self.feed { Some(feed).filter(|feed| *feed > 0.0) } else { None }
+        let thread = self.motion == Some(Motion::Line { thread: true });
+        if let Feed::PerMinute(feed) = self.feed { Some(feed).filter(|feed| *feed > 0.0 && !thread) } else { None }
     }
 
     /// Minutes for a cutting span (annex A), noting what the F words lack.

@@ -1,7 +1,8 @@
 //! The hole pattern of Y-1702, figure 3, in incremental data with the signs as printed.
 
 use super::Preset;
-use crate::format::{Dimensions, Format, Itemized, Standard, TapeCode};
+use super::y_1702_holes::holes;
+use crate::format::Dimensions;
 
 pub(super) fn preset() -> Preset {
     let source = include_str!("y-1702-holes-printed.tape");
@@ -11,16 +12,7 @@ pub(super) fn preset() -> Preset {
         about: "The incremental list with the signs that the report prints: x-2000 in n009 should be x+2000, \
                 and x-0000 in n008 is a minus zero. Nothing in the tape itself shows the slip, yet the tool \
                 ends 4 inches to the left of A.",
-        format: Format {
-            standard: Standard::Rs274,
-            classification: None,
-            detail: "n3 g2 x+13 y+13 m2*".to_owned(),
-            itemized: Itemized {
-                code: Some(TapeCode::Eia),
-                dimensions: Some(Dimensions::Incremental),
-                ..Itemized::default()
-            },
-        },
+        format: holes(Dimensions::Incremental),
         source,
         cursor: source.find("x-2000 y+3000").unwrap_or(0),
     }

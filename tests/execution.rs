@@ -1,0 +1,199 @@
+//! From blocks to spans: one example worked by hand for each mode that a tape can set, and for what cannot be told.
+
+use nctape::format::value::Positive;
+use nctape::format::{ArcCentre, CurveKind, FeedCoding, Format, Standard};
+use nctape::span::{Geometry, Span};
+use nctape::{Severity, Tape};
+
+/// Two places behind the decimal sign, signed, three motions at a time.
+fn format() -> Format {
+    Format::new(Standard::Iso2539, "N3G2X+42Y+42Z+42I+42J+42K+42F4S4T2M2*").classified("CAM 333")
+}
+
+fn run(format: &Format, blocks: &[&str]) -> Tape {
+    let numbered = blocks.iter().enumerate().map(|(index, block)| format!("N{:03}{block}\n", index + 1));
+    Tape::new(&format!("%\n{}", numbered.collect::<String>()), format)
+}
+
+fn ids(tape: &Tape, least: Severity) -> Vec<&'static str> {
+    tape.diagnostics().iter().filter(|found| found.severity >= least).map(|found| found.id).collect()
+}
+
+fn arc(span: &Span) -> nctape::span::Arc {
+    let Geometry::Arc(arc) = span.geometry else { panic!("an arc: {span:?}") };
+    arc
+}
+
+fn degrees(span: &Span) -> f64 {
+    arc(span).sweep.to_degrees().round()
+}
+
+#[test]
+fn arcs_turn_as_seen_from_the_positive_third_axis_in_each_plane() {
+    // A quarter of radius 10 from the first towards the second axis of the plane: counter-clockwise.
+    for (plane, block, end) in [
+        ("G17", "G03X-001000Y+001000I-001000J+000000", [-10.0, 10.0, 0.0]),
+        ("G18", "G03X+001000Z-001000I+000000K-001000", [10.0, 0.0, -10.0]),
+        ("G19", "G03Y-001000Z+001000J-001000K+000000", [0.0, -10.0, 10.0]),
+    ] {
+        let mut format = format();
+        format.itemized.arc_centre = Some(ArcCentre::FromStart);
+        let tape = run(&format, &["G01F0300", plane, block, "M30"]);
+        assert_eq!(ids(&tape, Severity::Warning), [""; 0], "{plane}");
+        let span = &tape.spans().list[0];
+        assert_eq!((span.end, degrees(span)), (end, 90.0), "{plane}");
+    }
+}
+
+#[test]
+fn the_four_readings_of_the_centre() {
+    // From (10, 0) a quarter counter-clockwise about the origin to (0, 10), in absolute dimensions.
+    for (reading, parameters) in [
+        (None, "I+000000J+000000"),
+        (Some(ArcCentre::Absolute), "I+000000J+000000"),
+        (Some(ArcCentre::FromStart), "I-001000J+000000"),
+        (Some(ArcCentre::ToStart), "I+001000J+000000"),
+        (Some(ArcCentre::Quadrant), "I+001000J+000000"),
+    ] {
+        let mut format = format();
+        format.itemized.arc_centre = reading;
+        let tape = run(&format, &["G01X+001000F0300", &format!("G03X+000000Y+001000{parameters}"), "M30"]);
+        assert_eq!(ids(&tape, Severity::Warning), [""; 0], "{reading:?}");
+        assert_eq!((arc(&tape.spans().list[1]).centre, degrees(&tape.spans().list[1])), ([0.0, 0.0], 90.0));
+    }
+}
+
+#[test]
+fn absolute_and_incremental_dimensions_change_places_by_g90_and_g91() {
+    let format = Format::new(Standard::Iso2539, "N3G2XL42YL42F4M2*").classified("CAM 222");
+    let tape = run(&format, &["G91G01X+001000F0300", "X+001000", "G90X+000500Y+000500", "G91Y-000500M30"]);
+    let ends: Vec<[f64; 3]> = tape.spans().list.iter().map(|span| span.end).collect();
+    assert_eq!(ends, [[10.0, 0.0, 0.0], [20.0, 0.0, 0.0], [5.0, 5.0, 0.0], [5.0, 0.0, 0.0]]);
+}
+
+#[test]
+fn a_word_that_cannot_be_read_makes_a_stand_in_and_no_other_fault() {
+    // I and J have too few digits: no two-block arc begins here.
+    let tape = run(&format(), &["G01X+001000F0300", "G03X+000000Y+001000I+1J+0", "M30"]);
+    assert_eq!(ids(&tape, Severity::Warning), ["NUM-01", "NUM-01"]);
+    let span = &tape.spans().list[1];
+    assert_eq!((span.substitute, span.feed, span.seconds), (true, None, None));
+
+    // The second of six points cannot be read: the others pair as they should.
+    let points = ["G06X+001000Y+001000", "X+20Y+0", "X+003000Y+001000", "X+004000Y+000000"];
+    let tape = run(&format(), &[&["G01F0300"], &points[..], &["G01X+005000M30"]].concat());
+    assert_eq!(ids(&tape, Severity::Warning), ["NUM-01", "NUM-01"]);
+    // The second parabola begins where the first ends, which is not known either; from its end on all is known again.
+    let spans: Vec<((usize, usize), bool)> =
+        tape.spans().list.iter().map(|span| (span.blocks, span.substitute)).collect();
+    assert_eq!(spans, [((1, 2), true), ((3, 4), true), ((5, 5), false)]);
+
+    // A line with one such word is a guess, and a block whose only word it is leaves the time unknown.
+    let tape = run(&format(), &["G01X+1000Y+002000F0300", "X+001000M30"]);
+    assert!(tape.spans().list.iter().all(|span| span.substitute), "{:?}", tape.spans().list);
+    let tape = run(&format(), &["G01X+001000F0300", "Y+1", "M30"]);
+    assert_eq!((tape.spans().list.len(), tape.totals().seconds), (1, None));
+}
+
+#[test]
+fn registers_are_loaded_with_the_value_itself() {
+    let format = Format::new(Standard::Iso2539, "N3G2XL42YL42F4M2*").classified("CAM 222");
+    let tape = run(&format, &["G91", "G01X+001000F0300", "G92X+000500", "X+000100M30"]);
+    let last = &tape.spans().list[1];
+    assert_eq!((last.start, last.end), ([5.0, 0.0, 0.0], [6.0, 0.0, 0.0]));
+    assert_eq!(ids(&tape, Severity::Info), ["FUN-09"]);
+}
+
+#[test]
+fn a_declared_curve_is_drawn_as_a_stand_in_and_said_to_be_one() {
+    let mut format = format();
+    format.itemized.curves = Some([("G07".to_owned(), CurveKind::Cubic)].into());
+    let tape = run(&format, &["G01X+001000F0300", "G07X+002000Y+001000", "X+003000", "G01X+004000M30"]);
+    let substitutes: Vec<bool> = tape.spans().list.iter().map(|span| span.substitute).collect();
+    assert_eq!(substitutes, [false, true, true, false]);
+    assert_eq!(ids(&tape, Severity::Info), ["FUN-09"]);
+}
+
+#[test]
+fn feeds_of_each_kind() {
+    let seconds = |format: &Format, blocks: &[&str]| -> Vec<Option<f64>> {
+        run(format, blocks).spans().list.iter().map(|span| span.seconds).collect()
+    };
+    // 10 mm at 300 mm/min; the reciprocal of a quarter minute; 0,5 mm a turn at 600 turns a minute.
+    let blocks = ["G01X+001000F0300", "G93X+002000F0004", "G94X+003000F0600M30"];
+    assert_eq!(seconds(&format(), &blocks), [Some(2.0), Some(15.0), Some(1.0)]);
+    let by_turns = Format::new(Standard::Iso2539, "N3G2X+42F4S4M2*").classified("CAM 111");
+    let blocks = ["G95S0600", "G01X+001000F0001", "G96S0200", "X+002000M30"];
+    // Under constant cutting speed the turns are not known.
+    assert_eq!(seconds(&by_turns, &blocks), [Some(1.0), None]);
+
+    // Back to the coding of the format behind G93: 615 is 150 mm/min.
+    let mut coded = Format::new(Standard::Iso2539, "N3G2X+42F3M2*").classified("CAM 111");
+    coded.itemized.feed = Some(FeedCoding::Arithmetic);
+    let tape = run(&coded, &["G93G01X+001000F004", "G94X+002000F615M30"]);
+    assert_eq!(tape.spans().list[1].feed, Some(150.0));
+
+    // A thread runs by its lead, whatever F says.
+    let tape = run(&format(), &["G01X+001000F0300", "G33Z+001000K+000100M30"]);
+    assert_eq!((tape.spans().list[1].feed, tape.spans().list[1].seconds), (None, None));
+}
+
+#[test]
+fn rapid_moves_have_a_time_where_the_rate_is_stated() {
+    let mut format = format();
+    let blocks = ["G00X+001000", "M30"];
+    assert_eq!(run(&format, &blocks).totals().seconds, None);
+    format.itemized.rapid = Some(Positive(6000.0));
+    let totals = run(&format, &blocks).totals();
+    assert_eq!((totals.rapid, totals.cutting, totals.seconds), (10.0, 0.0, Some(0.1)));
+}
+
+#[test]
+fn a_rotary_axis_adds_no_length() {
+    let format = Format::new(Standard::Iso2539, "N3G2X+42B+33F4M2*").classified("CAMD 222");
+    let tape = run(&format, &["G01B+090000F0300", "X+001000M30"]);
+    assert_eq!(tape.totals().cutting, 10.0);
+    assert_eq!(tape.spans().end(0), [0.0, 0.0, 0.0, 90.0]);
+}
+
+#[test]
+fn helices_in_one_block_and_in_two() {
+    // Half a turn of radius 10 with a rise of 4 along Z: hypot(10 pi, 4) long.
+    let long = (std::f64::consts::PI * std::f64::consts::PI * 100.0 + 16.0).sqrt();
+    let mut format = format();
+    format.itemized.arc_centre = Some(ArcCentre::FromStart);
+    let one = run(&format, &["G01F0300", "G03X+002000Y+000000Z+000400I+001000J+000000", "M30"]);
+    let two = run(&format, &["G01F0300", "G03X+001000Y-001000Z+000200", "X+002000Y+000000Z+000400", "M30"]);
+    for tape in [one, two] {
+        assert_eq!(ids(&tape, Severity::Warning), [""; 0]);
+        let span = &tape.spans().list[0];
+        assert_eq!((span.end, degrees(span)), ([20.0, 0.0, 4.0], 180.0));
+        assert!((span.length - long).abs() < 1e-9, "{}", span.length);
+    }
+    // A control of two axes at a time has none, and the third axis still gets there.
+    let flat = format.classified("CAM 332");
+    let tape = run(&flat, &["G01F0300", "G03X+002000Y+000000Z+000400I+001000J+000000", "M30"]);
+    assert_eq!(ids(&tape, Severity::Error), ["MOT-02"]);
+    assert_eq!((tape.spans().list[0].substitute, tape.spans().list[0].end), (true, [20.0, 0.0, 4.0]));
+}
+
+#[test]
+fn an_arc_that_ends_where_it_starts() {
+    let mut format = format();
+    format.itemized.arc_centre = Some(ArcCentre::FromStart);
+    let blocks = ["G01F0300", "G02X+000000Y+000000I+001000J+000000", "M30"];
+    let tape = run(&format, &blocks);
+    assert_eq!(ids(&tape, Severity::Info), ["MOT-11"]);
+    assert_eq!(degrees(&tape.spans().list[0]), -360.0);
+    format.itemized.full_circle = Some(false);
+    assert!(run(&format, &blocks).spans().list.is_empty());
+    // What else moves is not lost with it.
+    let tape = run(&format, &["G01F0300", "G02X+000000Y+000000Z+001000I+001000J+000000", "Z+002000M30"]);
+    assert_eq!(tape.spans().list[1].start, tape.spans().list[0].end);
+}
+
+#[test]
+fn a_change_of_plane_leaves_an_arc_unfinished() {
+    let tape = run(&format(), &["G01F0300", "G02X+001000Y+001000", "G18X+002000Z+001000", "G01X+003000M30"]);
+    assert_eq!(ids(&tape, Severity::Error), ["MOT-07", "MOT-07"]);
+}
