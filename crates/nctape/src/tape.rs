@@ -82,8 +82,15 @@ impl Tape {
         self.reading = read(&self.text, &self.control);
         self.execution = execute(&self.reading, &self.control, self.skip);
         let mut found = Vec::new();
-        let view =
-            TapeView { text: &self.text, control: &self.control, reading: &self.reading, execution: &self.execution };
+        let skips = self.reading.blocks.iter().any(|block| block.skip);
+        let other = skips.then(|| execute(&self.reading, &self.control, !self.skip));
+        let view = TapeView {
+            text: &self.text,
+            control: &self.control,
+            reading: &self.reading,
+            execution: &self.execution,
+            other: other.as_ref(),
+        };
         let mut sink = Sink::new(self.control.standard(), &mut found);
         if !rules::foreign_text::check(&view, &mut sink) {
             rules::check_tape(&view, &mut sink);

@@ -22,7 +22,7 @@ use crate::format::Control;
 use crate::function::Group;
 use crate::read::{Reading, Word};
 use crate::span::Spans;
-use state::State;
+use state::{Mode, State};
 
 /// What executing a tape gave.
 #[derive(Clone, Debug, Default)]
@@ -37,6 +37,17 @@ pub struct Execution {
     pub(crate) unreached: Vec<usize>,
     /// For each program that was executed, its last block and whether it is an end of program.
     pub(crate) ends: Vec<(usize, bool)>,
+    /// What the control holds behind each block that was executed; only where the tape has optional block skips.
+    pub(crate) held: Vec<(usize, Held)>,
+}
+
+/// What a control holds for later blocks.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Held {
+    /// Where every axis is, in least input increments.
+    pub position: Vec<i64>,
+    /// The modal functions and the feed.
+    pub mode: Mode,
 }
 
 /// Executes what was read. `skip` is the position of the optional block skip switch.
@@ -46,6 +57,8 @@ pub(crate) fn execute(reading: &Reading, control: &Control, skip: bool) -> Execu
     let mut ends = Vec::new();
     let mut program = None;
     let mut ended = false;
+    let mut held = Vec::new();
+    let skips = reading.blocks.iter().any(|block| block.skip);
     for (index, block) in reading.blocks.iter().enumerate() {
         // Behind a program without its end, a program start character is a rewind stop and starts no other program.
         if program.replace(block.program) != Some(block.program) && ended {
@@ -58,6 +71,9 @@ pub(crate) fn execute(reading: &Reading, control: &Control, skip: bool) -> Execu
             unreached.push(index);
         } else if !(skip && block.skip) {
             ended = run_block(&mut state, index, reading.words(block));
+            if skips {
+                held.push((index, Held { position: state.position.clone(), mode: state.mode() }));
+            }
         }
     }
     state.finish_span();
@@ -67,7 +83,7 @@ pub(crate) fn execute(reading: &Reading, control: &Control, skip: bool) -> Execu
     let State { spans, events, left_out, .. } = state;
     let mut totals = Totals::of(&spans);
     totals.seconds = totals.seconds.filter(|_| !left_out);
-    Execution { totals, spans, events, unreached, ends }
+    Execution { totals, spans, events, unreached, ends, held }
 }
 
 /// Executes one block; tells whether it ends the program.

@@ -40,6 +40,16 @@ pub(crate) struct Parameter {
     pub value: i64,
 }
 
+/// What the modal words of earlier blocks set.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Mode {
+    motion: Option<Motion>,
+    plane: Plane,
+    incremental: bool,
+    feed: Feed,
+    speed: Option<f64>,
+}
+
 pub(crate) struct State<'a> {
     pub control: &'a Control,
     pub motion: Option<Motion>,
@@ -123,6 +133,11 @@ impl<'a> State<'a> {
         let (position, spans, events) =
             (std::mem::take(&mut self.position), std::mem::take(&mut self.spans), std::mem::take(&mut self.events));
         *self = State { position, spans, events, left_out: self.left_out, ..State::new(self.control) };
+    }
+
+    pub(crate) fn mode(&self) -> Mode {
+        let State { motion, plane, incremental, feed, speed, .. } = *self;
+        Mode { motion, plane, incremental, feed, speed }
     }
 
     pub(crate) fn note(&mut self, kind: EventKind) {

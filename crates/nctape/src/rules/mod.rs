@@ -50,6 +50,7 @@ pub static ALL: &[&Rule] = &[
     &comment::swallowed::RULE,
     &skip::misplaced::RULE,
     &skip::without_sequence::RULE,
+    &skip::changes_what_follows::RULE,
     &sequence::missing::RULE,
     &sequence::digits::RULE,
     &sequence::width::RULE,
@@ -252,6 +253,7 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     tape::lower_case::check(tape, sink);
     tape::no_end_code::check(tape, sink);
     tape::unreached::check(tape, sink);
+    skip::changes_what_follows::check(tape, sink);
     sequence::repeated::check(tape, sink);
     sequence::falling::check(tape, sink);
     sequence::incomplete_alignment::check(tape, sink);

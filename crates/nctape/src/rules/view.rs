@@ -12,6 +12,8 @@ pub(crate) struct TapeView<'a> {
     pub control: &'a Control,
     pub reading: &'a Reading,
     pub execution: &'a Execution,
+    /// The tape executed with the optional block skip switch the other way; only where a block can be skipped.
+    pub other: Option<&'a Execution>,
 }
 
 impl TapeView<'_> {

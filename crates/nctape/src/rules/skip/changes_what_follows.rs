@@ -1,0 +1,49 @@
+//! SKIP-03: skipping a block changes what later blocks do.
+
+use crate::execute::Held;
+use crate::rules::prelude::*;
+
+/// The rule.
+pub static RULE: Rule = Rule {
+    name: "skip-changes-what-follows",
+    title: "Skipping a block changes what later blocks do.",
+    verdicts: Verdicts::all("SKIP-03", Severity::Warning),
+    clauses: &[Clause::Iso2539("B.2 note 2"), Clause::Iso1058("B.2 note 4")],
+    page: page!("SKIP-03"),
+};
+
+/// The tape is executed with the switch both ways. Behind the first block that cannot be skipped, after one that can,
+/// the control should hold the same; where it does not, the blocks before it that can be skipped are at fault.
+pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
+    let Some(other) = tape.other else { return };
+    let stays = |held: &&(usize, Held)| !tape.reading.blocks[held.0].skip;
+    let pairs = tape.execution.held.iter().filter(stays).zip(other.held.iter().filter(stays));
+    let mut differed = false;
+    let mut before = 0;
+    for ((index, one), (_, another)) in pairs {
+        let differs = one != another;
+        let skipped = (before..*index).find(|&block| tape.reading.blocks[block].skip);
+        if let (true, false, Some(block)) = (differs, differed, skipped) {
+            let message = format!(
+                "Whether this block is skipped changes {} for the blocks behind it. Give there again what they rest on, \
+                 or skip what undoes it too.",
+                what(tape, one, another)
+            );
+            sink.report(&RULE, tape.extent(block), message);
+        }
+        differed = differs;
+        before = index + 1;
+    }
+}
+
+/// What the control holds differently: axes, functions or speeds.
+fn what(tape: &TapeView<'_>, one: &Held, another: &Held) -> String {
+    let axes = one.position.iter().zip(&another.position).zip(&tape.control.axes);
+    let moved: Vec<String> =
+        axes.filter(|((one, another), _)| one != another).map(|(_, axis)| axis.letter.to_string()).collect();
+    match (moved.is_empty(), one.mode == another.mode) {
+        (false, true) => moved.join(", "),
+        (false, false) => format!("{} and a modal function or speed", moved.join(", ")),
+        _ => "a modal function or speed".to_owned(),
+    }
+}
