@@ -2,6 +2,7 @@
 
 use nctape::code::{Code, DecodeOptions, EndOfBlock, RowIssueKind, decode, encode};
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 
 const CODES: [Code; 2] = [Code::Iso, Code::Eia];
 
@@ -97,7 +98,7 @@ fn tape() -> impl Strategy<Value = String> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 10_000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 10_000, failure_persistence: None, rng_seed: RngSeed::Fixed(2539), ..ProptestConfig::default() })]
 
     #[test]
     fn random_tapes_survive_text_rows_text(text in tape(), eia: bool) {
@@ -110,7 +111,7 @@ proptest! {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 30, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 30, failure_persistence: None, rng_seed: RngSeed::Fixed(2539), ..ProptestConfig::default() })]
 
     #[test]
     fn every_single_hole_error_between_the_ends_of_block_is_found(text in tape(), eia: bool) {

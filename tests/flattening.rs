@@ -7,6 +7,7 @@
 use nctape::format::{ArcCentre, FeedCoding, Itemized, SetPoint};
 use nctape::{Format, Severity, Standard, Tape};
 use proptest::prelude::*;
+use proptest::test_runner::RngSeed;
 
 /// One block under a format with three decimal places, from a start in thousandths.
 fn one_block(start: [i64; 2], block: &str) -> Tape {
@@ -44,7 +45,7 @@ fn tolerance() -> impl Strategy<Value = f64> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, rng_seed: RngSeed::Fixed(2539), ..ProptestConfig::default() })]
 
     #[test]
     fn arcs_keep_the_tolerance_with_the_fewest_chords(

@@ -7,6 +7,7 @@ use nctape::span::Geometry;
 use nctape::{Format, Standard, Tape};
 use proptest::prelude::*;
 use proptest::sample::select;
+use proptest::test_runner::RngSeed;
 
 /// Pieces of tapes and rubbish, in the mixture that a spoiled tape has.
 fn text() -> impl Strategy<Value = String> {
@@ -78,7 +79,7 @@ fn itemized() -> impl Strategy<Value = Itemized> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, rng_seed: RngSeed::Fixed(2539), ..ProptestConfig::default() })]
 
     #[test]
     fn any_text_under_any_format_gives_findings_inside_the_text(text in text(), format in format(), skip: bool) {

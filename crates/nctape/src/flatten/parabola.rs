@@ -108,7 +108,7 @@ impl Flattening {
     ///
     /// In the piece's own parameter s the point is 2s A' + s² D', with A' = h (A + tD) and D' = h² D. Along the chord
     /// that is 2s a + s² d; it is behind the start up to s = -2a/d, at most by a²/d, and beside the chord by
-    /// 2s (1 - s) |A'⊥|. The end is the start of the same piece run backwards.
+    /// 2s (1 - s) |A'⊥|, which grows up to s = 1/2. The end is the start of the same piece run backwards.
     fn overrun(&self, t: f64, h: f64) -> f64 {
         let first: [f64; 3] = std::array::from_fn(|i| h * (self.a[i] + t * self.d[i]));
         let second = self.d.map(|component| h * h * component);
@@ -123,7 +123,8 @@ impl Flattening {
             if a >= 0.0 {
                 return 0.0;
             }
-            let s = f64::min(-2.0 * a / d, 1.0);
+            // Beside the chord it is furthest at s = 1/2, if the run goes on that long.
+            let s = f64::min(-2.0 * a / d, 0.5);
             length([a * a / d, 2.0 * s * (1.0 - s) * beside])
         };
         let (start, end) = (dot(first, chord) / reach, -dot(last, chord) / reach);
