@@ -197,3 +197,12 @@ fn a_change_of_plane_leaves_an_arc_unfinished() {
     let tape = run(&format(), &["G01F0300", "G02X+001000Y+001000", "G18X+002000Z+001000", "G01X+003000M30"]);
     assert_eq!(ids(&tape, Severity::Error), ["MOT-07", "MOT-07"]);
 }
+
+/// Found by the properties: a letter was joined to a number of the block before, at whose offset it happened to stand.
+#[test]
+fn a_letter_is_joined_to_a_number_of_its_own_block_only() {
+    let tape = Tape::new("M02\nY5\r\u{AE}O1N001", &format());
+    let second = &tape.reading().blocks[1];
+    let word = &tape.reading().words(second)[0];
+    assert_eq!(&tape.text()[tape.reading().range(second, word)], "Y5");
+}

@@ -84,6 +84,7 @@ pub(crate) fn scan(
     words: &mut Vec<Word>,
     strays: &mut Vec<Stray>,
 ) -> Scanned {
+    let first_word = words.len();
     let mut scanner = Scanner {
         control,
         start,
@@ -98,6 +99,7 @@ pub(crate) fn scan(
         comment: None,
         any_comment: false,
         any_word: false,
+        first_word,
     };
     let mut listing = Listing::resume(text, start, false);
     let mut next = text.len();
@@ -144,6 +146,8 @@ struct Scanner<'a> {
     comment: Option<usize>,
     any_comment: bool,
     any_word: bool,
+    /// The words of earlier blocks.
+    first_word: usize,
 }
 
 /// The word being read.
@@ -239,7 +243,7 @@ impl Scanner<'_> {
     /// Takes up the word before one tab, where it is an address without digits in a system with addresses: the tab
     /// slipped behind the address.
     fn resume(&mut self) -> bool {
-        let Some(last) = self.words.last().filter(|_| self.any_word && self.tabs == 1) else { return false };
+        let Some(last) = self.own_words().last().copied().filter(|_| self.tabs == 1) else { return false };
         let tab = self.start + last.to as usize;
         let bare = last.fault == NumberFault::Empty && last.sign.is_none() && last.address != 0;
         if !bare || self.control.system == System::Tab || self.tab != tab {
@@ -259,6 +263,11 @@ impl Scanner<'_> {
         self.column -= 1;
         self.stray(StrayKind::TabBehindAddress, tab, tab + 1);
         true
+    }
+
+    /// The words of this block so far.
+    fn own_words(&self) -> &[Word] {
+        &self.words[self.first_word..]
     }
 
     fn start_word(&mut self, address: u8, from: usize, to: usize) {
@@ -311,7 +320,7 @@ impl Scanner<'_> {
         let control = self.control;
         let from = (open.from - self.start) as u32;
         let meant = matches!(letter, b'O' | b'I' | b'L') && open.number.sign.is_none() && open.tabs == 0;
-        let Some(last) = self.words.last_mut().filter(|last| meant && self.any_word && last.to == from) else {
+        let Some(last) = self.words[self.first_word..].last_mut().filter(|last| meant && last.to == from) else {
             return false;
         };
         let Some(designation) = control.designation(last.address).filter(|_| !last.by_column) else { return false };
