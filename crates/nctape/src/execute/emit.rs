@@ -4,7 +4,7 @@ use super::event::{Event, EventKind, Limit, ParameterReading};
 use super::feed::Feed;
 use super::parabola::{Parabola, norm, subtract};
 use super::state::{Motion, State};
-use crate::format::{ArcFeed, power_of_ten};
+use crate::format::ArcFeed;
 use crate::span::{Geometry, Span, SpanKind};
 
 impl State<'_> {
@@ -84,12 +84,11 @@ impl State<'_> {
     }
 
     fn push_span(&mut self, span: Span, start: &[i64]) {
-        let control = self.control;
-        let unit = |position: &[i64]| -> Vec<f64> {
-            let axes = position.iter().zip(&control.axes);
-            axes.map(|(increments, axis)| *increments as f64 / power_of_ten(axis.decimals) as f64).collect()
+        let in_unit = |position: &[i64]| -> Vec<f64> {
+            position.iter().enumerate().map(|(axis, &increments)| self.in_unit(axis, increments)).collect()
         };
-        self.spans.push(span, unit(start).into_iter(), unit(&self.target).into_iter());
+        let (from, to) = (in_unit(start), in_unit(&self.target));
+        self.spans.push(span, from.into_iter(), to.into_iter());
     }
 
     /// The feed as the tape states it, where it states one along the path. A thread runs by its lead.
