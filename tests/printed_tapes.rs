@@ -23,7 +23,7 @@ fn close(value: f64, truth: f64, within: f64) {
 fn no_preset_has_an_error_or_a_warning_and_no_format_of_theirs_either() {
     for preset in presets::all() {
         let tape = Tape::new(preset.source, &preset.format);
-        let found: Vec<_> = tape.diagnostics().iter().filter(|found| found.severity > Severity::Info).collect();
+        let found: Vec<_> = tape.diagnostics().into_iter().filter(|found| found.severity > Severity::Info).collect();
         assert!(found.is_empty(), "{}: {found:?}", preset.id);
         let explanation = nctape::format::explain(&preset.format);
         let found: Vec<&str> = explanation.diagnostics.iter().map(|found| found.diagnostic.id).collect();
@@ -132,9 +132,9 @@ fn figure_2s_reading_gives_mot_05_with_both_fixes() {
     let mut preset = preset("annex-e-circular");
     preset.format.itemized.arc_centre = None;
     let tape = Tape::new(preset.source, &preset.format);
-    let found: Vec<_> = tape.diagnostics().iter().filter(|found| found.severity == Severity::Error).collect();
+    let found: Vec<_> = tape.diagnostics().into_iter().filter(|found| found.severity == Severity::Error).collect();
     assert_eq!(found.iter().map(|found| found.id).collect::<Vec<_>>(), ["MOT-05"; 3]);
-    let first = found[0];
+    let first = &found[0];
     assert_eq!(&tape.text()[first.range.clone()], "I-014142\tJ+014142");
     assert!(first.message.contains("start minus centre"), "{}", first.message);
     let inserted: Vec<&str> = first.fixes[0].edits.iter().map(|edit| edit.insert.as_str()).collect();

@@ -149,17 +149,6 @@ proptest! {
     }
 
     #[test]
-    fn an_edited_tape_equals_a_fresh_one(text in text(), insert in text(), format in format(), a: prop::sample::Index, b: prop::sample::Index) {
-        let boundaries: Vec<usize> = text.char_indices().map(|(at, _)| at).chain([text.len()]).collect();
-        let (a, b) = (boundaries[a.index(boundaries.len())], boundaries[b.index(boundaries.len())]);
-        let (from, to) = (a.min(b), a.max(b));
-        let mut tape = Tape::new(&text, &format);
-        tape.edit(from..to, &insert);
-        let fresh = Tape::new(&format!("{}{insert}{}", &text[..from], &text[to..]), &format);
-        prop_assert_eq!(format!("{tape:?}"), format!("{fresh:?}"));
-    }
-
-    #[test]
     fn a_format_survives_being_written_and_read(format in format()) {
         let (read, problems) = Format::read(&format.write()).expect("a format");
         prop_assert_eq!(read, format);

@@ -155,7 +155,8 @@ fn check_tape(rule: &'static Rule, example: &TapeExample, under: &FormatExample)
         .map(|found| told_of_format(found, under))
         .collect();
     let tape = Tape::new(&example.text, &under.format);
-    let (own, others): (Vec<_>, Vec<_>) = tape.diagnostics().iter().partition(|found| found.rule.name == rule.name);
+    let found = tape.diagnostics();
+    let (own, others): (Vec<_>, Vec<_>) = found.iter().partition(|found| found.rule.name == rule.name);
     faults.extend(others.iter().filter(|found| weighs(found)).map(|found| told(found, &example.text)));
     if !example.bad || own.len() != example.marks.len() {
         faults.extend(own.iter().map(|found| told(found, &example.text)));
@@ -184,7 +185,8 @@ fn check_tape(rule: &'static Rule, example: &TapeExample, under: &FormatExample)
             let weight = |tape: &Tape| -> usize {
                 tape.diagnostics().iter().filter(|found| found.rule.name == rule.name).map(|found| found.count).sum()
             };
-            let new = after.diagnostics().iter().filter(|found| weighs(found) && found.rule.name != rule.name);
+            let found = after.diagnostics();
+            let new = found.iter().filter(|found| weighs(found) && found.rule.name != rule.name);
             if weight(&after) >= weight(&tape) {
                 faults.push(format!("the fix {:?} does not remove the finding; it gives {text:?}", fix.title));
             }

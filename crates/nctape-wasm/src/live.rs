@@ -76,7 +76,7 @@ impl Tape {
         let half = |splits: bool| if splits { "\u{FFFD}" } else { "" };
         let text = format!("{}{insert}{}", half(splits_start), half(splits_end));
         self.tape.edit(start..end, &text);
-        self.offsets = Offsets::new(self.tape.text());
+        self.offsets.edit(self.tape.text(), start, end - start, text.len());
         self.next_edit()
     }
 
@@ -119,7 +119,7 @@ impl Tape {
             code: argument::code_word(self.tape.control().code),
             blocks: self.tape.reading().blocks.len(),
             skips: self.tape.reading().blocks.iter().filter(|block| block.skip).count(),
-            rows: self.tape.rows().bytes.len(),
+            rows: self.tape.reading().row_count(),
             spans: spans.len(),
             errors: self.tape.count(Severity::Error),
             warnings: self.tape.count(Severity::Warning),
@@ -134,9 +134,9 @@ impl Tape {
     pub fn diagnostics(&self, from: u32, to: u32, limit: u32) -> JsValue {
         let (from, _) = self.offsets.byte(from as usize);
         let (to, _) = self.offsets.byte(to as usize);
-        let found = self.tape.diagnostics().iter().filter(|found| found.range.start <= to && found.range.end >= from);
-        let views = found.map(|found| report::diagnostic(found, self.tape.standard(), &self.offsets));
-        to_js(&views.take(limit as usize).collect::<Vec<_>>())
+        let found = self.tape.diagnostics_in(from..to.max(from), limit as usize);
+        let views = found.iter().map(|found| report::diagnostic(found, self.tape.standard(), &self.offsets));
+        to_js(&views.collect::<Vec<_>>())
     }
 
     /// A block, and where it lies in every view; `null` beyond the last one.
@@ -168,28 +168,24 @@ impl Tape {
     /// The block of a row; -1 where it belongs to none.
     #[wasm_bindgen(js_name = blockOfRow)]
     pub fn block_of_row(&self, row: u32) -> i32 {
-        let offset = self.tape.rows().offsets.get(row as usize);
-        offset.and_then(|&offset| self.tape.reading().block_at(offset as usize)).map_or(-1, |index| index as i32)
+        self.tape.reading().block_of_row(row as usize).map_or(-1, |index| index as i32)
     }
 
     /// The row whose character stands at or behind an offset; -1 behind the last one.
     #[wasm_bindgen(js_name = rowAt)]
     pub fn row_at(&self, offset: u32) -> i32 {
         let (byte, _) = self.offsets.byte(offset as usize);
-        let offsets = &self.tape.rows().offsets;
-        let row = offsets.partition_point(|&offset| (offset as usize) < byte);
-        if row < offsets.len() { row as i32 } else { -1 }
+        let row = self.tape.row_at(byte);
+        if row < self.tape.reading().row_count() { row as i32 } else { -1 }
     }
 
     /// A stretch of rows, one entry in each array for each row.
     #[wasm_bindgen(unchecked_return_type = "RowWindow")]
     pub fn rows(&self, first: u32, count: u32) -> JsValue {
-        let rows = self.tape.rows();
-        let from = (first as usize).min(rows.bytes.len());
-        let to = from.saturating_add(count as usize).min(rows.bytes.len());
-        let offsets: Vec<u32> =
-            rows.offsets[from..to].iter().map(|&byte| self.offsets.utf16(byte as usize) as u32).collect();
-        let blocks: Vec<i32> = (from..to).map(|row| self.block_of_row(row as u32)).collect();
+        let from = (first as usize).min(self.tape.reading().row_count());
+        let rows = self.tape.rows_from(from, count as usize);
+        let offsets: Vec<u32> = rows.offsets.iter().map(|&byte| self.offsets.utf16(byte as usize) as u32).collect();
+        let blocks: Vec<i32> = (from..from + rows.bytes.len()).map(|row| self.block_of_row(row as u32)).collect();
         let kinds: Vec<u8> = blocks
             .iter()
             .map(|&block| {
@@ -199,7 +195,7 @@ impl Tape {
             .collect();
         let object = js_sys::Object::new();
         set(&object, "first", &(from as u32).into());
-        set(&object, "bytes", &js_sys::Uint8Array::from(&rows.bytes[from..to]));
+        set(&object, "bytes", &js_sys::Uint8Array::from(rows.bytes.as_slice()));
         set(&object, "offsets", &js_sys::Uint32Array::from(offsets.as_slice()));
         set(&object, "blocks", &js_sys::Int32Array::from(blocks.as_slice()));
         set(&object, "kinds", &js_sys::Uint8Array::from(kinds.as_slice()));

@@ -23,23 +23,35 @@ struct Wide {
 
 impl Offsets {
     pub(crate) fn new(text: &str) -> Offsets {
-        let mut offsets = Offsets { lines: vec![0], length: text.len(), ..Offsets::default() };
-        let mut unit = 0;
-        let mut after_return = false;
-        for (byte, character) in text.char_indices() {
-            let unit_end = unit + character.len_utf16();
-            if !character.is_ascii() {
-                offsets.wide.push(Wide { byte, byte_end: byte + character.len_utf8(), unit, unit_end });
-            }
-            match (character, offsets.lines.last_mut()) {
-                ('\n', Some(line)) if after_return => *line = unit_end,
-                ('\n' | '\r', _) => offsets.lines.push(unit_end),
-                _ => {}
-            }
-            after_return = character == '\r';
-            unit = unit_end;
+        let (wide, lines, _) = scan(text, 0, 0);
+        Offsets { wide, lines: [0].into_iter().chain(lines).collect(), length: text.len() }
+    }
+
+    /// Follows an edit: `removed` bytes at byte `at` gave way to `inserted` ones, which makes `text`.
+    pub(crate) fn edit(&mut self, text: &str, at: usize, removed: usize, inserted: usize) {
+        let bytes = text.as_bytes();
+        // The two halves of a CR LF belong to one line end.
+        let from = if at > 0 && bytes[at - 1] == b'\r' { at - 1 } else { at };
+        let joint = usize::from(bytes.get(at + inserted) == Some(&b'\n'));
+        let (old_end, end) = (at + removed + joint, at + inserted + joint);
+        let (first_unit, old_unit) = (self.utf16(from), self.utf16(old_end));
+        let (wide, lines, unit) = scan(&text[from..end], from, first_unit);
+
+        let line = |unit: usize| self.lines.partition_point(|&start| start <= unit);
+        let (first, last) = (line(first_unit), line(old_unit));
+        self.lines[last..].iter_mut().for_each(|start| *start = *start - old_unit + unit);
+        self.lines.splice(first..last, lines);
+
+        let first = self.wide.partition_point(|wide| wide.byte < from);
+        let last = self.wide.partition_point(|wide| wide.byte < old_end);
+        for wide in &mut self.wide[last..] {
+            wide.byte = wide.byte - old_end + end;
+            wide.byte_end = wide.byte_end - old_end + end;
+            wide.unit = wide.unit - old_unit + unit;
+            wide.unit_end = wide.unit_end - old_unit + unit;
         }
-        offsets
+        self.wide.splice(first..last, wide);
+        self.length = text.len();
     }
 
     /// The code unit at a byte that is on a character boundary.
@@ -76,9 +88,47 @@ impl Offsets {
     }
 }
 
+/// The characters beyond ASCII and the beginnings of lines of a stretch that begins at a byte and a unit, and the unit
+/// behind it. The line at its start is another's.
+fn scan(stretch: &str, from: usize, first_unit: usize) -> (Vec<Wide>, Vec<usize>, usize) {
+    let (mut wide, mut lines) = (Vec::new(), Vec::new());
+    let mut unit = first_unit;
+    let mut after_return = false;
+    for (byte, character) in stretch.char_indices() {
+        let unit_end = unit + character.len_utf16();
+        if !character.is_ascii() {
+            wide.push(Wide { byte: from + byte, byte_end: from + byte + character.len_utf8(), unit, unit_end });
+        }
+        match (character, lines.last_mut()) {
+            ('\n', Some(line)) if after_return => *line = unit_end,
+            ('\n' | '\r', _) => lines.push(unit_end),
+            _ => {}
+        }
+        after_return = character == '\r';
+        unit = unit_end;
+    }
+    (wide, lines, unit)
+}
+
 #[cfg(test)]
 mod tests {
     use super::Offsets;
+
+    #[test]
+    fn an_edit_leaves_what_a_fresh_table_would_be() {
+        let pieces = ["", "\r", "\n", "\r\n", "a", "\u{E9}", "\u{1F600}", "\n\r", "b\r"];
+        let boundaries: Vec<usize> = (0..=TEXT.len()).filter(|&at| TEXT.is_char_boundary(at)).collect();
+        for &from in &boundaries {
+            for &to in boundaries.iter().filter(|&&to| to >= from) {
+                for insert in pieces {
+                    let text = format!("{}{insert}{}", &TEXT[..from], &TEXT[to..]);
+                    let mut offsets = Offsets::new(TEXT);
+                    offsets.edit(&text, from, to - from, insert.len());
+                    assert_eq!(offsets, Offsets::new(&text), "{from}..{to} {insert:?}");
+                }
+            }
+        }
+    }
 
     const TEXT: &str = "a\u{00E9}b\r\n\u{2212}\u{1F600}c\rd\ne";
 

@@ -209,7 +209,7 @@ pub(crate) fn span(tape: &Tape, index: usize) -> SpanView {
 
 /// Lengths and times.
 pub(crate) fn totals(tape: &Tape) -> TotalsView {
-    let rows = tape.rows().bytes.len();
+    let rows = tape.reading().row_count();
     let totals = tape.totals();
     TotalsView {
         rows,

@@ -95,8 +95,15 @@ impl Fix {
 }
 
 impl Diagnostic {
-    /// Moves every place that it names by `by` bytes: what was said of a block becomes what is said of the tape.
-    pub(crate) fn shift(&mut self, by: usize) {
+    /// The same with every place that it names moved by `by` bytes: what was said of a block becomes what is said of
+    /// the tape.
+    pub(crate) fn moved(&self, by: usize) -> Diagnostic {
+        let mut moved = self.clone();
+        moved.shift(by);
+        moved
+    }
+
+    fn shift(&mut self, by: usize) {
         let shift = |range: &mut Range<usize>| *range = range.start + by..range.end + by;
         shift(&mut self.range);
         self.related.iter_mut().for_each(|related| shift(&mut related.range));

@@ -45,6 +45,8 @@ pub mod diagnostic;
 
 pub mod rules;
 
+mod report;
+
 mod tape;
 
 mod suggest;

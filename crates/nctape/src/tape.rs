@@ -1,11 +1,12 @@
 //! A tape under a control: its text, and all that follows from it.
 
-use crate::code::{Rows, encode};
+use crate::code::Rows;
 use crate::diagnostic::{Diagnostic, Severity, Sink};
 use crate::execute::{Execution, Totals, execute};
 use crate::flatten::{Points, flatten};
 use crate::format::{Control, Format, Standard};
-use crate::read::{Block, Reading, Word, number, read};
+use crate::read::{Block, Change, Reading, Word, number, read};
+use crate::report::Findings;
 use crate::rules::{self, TapeView};
 use crate::span::Spans;
 use std::ops::Range;
@@ -15,22 +16,26 @@ pub const ROW_PITCH_MILLIMETRES: f64 = 2.54;
 
 /// A tape: the text, what was read of it, the spans and the diagnostics.
 ///
+/// It may be edited: then it is what a fresh one would be, but only the blocks that the edit touches are read again.
+///
 /// ```
 /// use nctape::{Format, Standard, Tape};
 /// let format = Format::new(Standard::Iso2539, "N3.G2.X+42.Y+32.F4.M2*").classified("CSM 222");
-/// let tape = Tape::new("%\nN001 G01 X+001000 Y+01000 F0300 M30\n", &format);
+/// let mut tape = Tape::new("%\nN001 G01 X+001000 Y+01000 F0300 M30\n", &format);
 /// assert!(tape.diagnostics().is_empty());
 /// assert_eq!(tape.spans().list[0].end, [10.0, 10.0, 0.0]);
+///
+/// tape.edit(14..15, "2");
+/// assert_eq!(tape.spans().list[0].end, [210.0, 10.0, 0.0]);
 /// ```
 #[derive(Clone, Debug)]
 pub struct Tape {
     text: String,
     control: Control,
     skip: bool,
-    rows: Rows,
     reading: Reading,
     execution: Execution,
-    diagnostics: Vec<Diagnostic>,
+    findings: Findings,
 }
 
 impl Tape {
@@ -41,14 +46,15 @@ impl Tape {
 
     /// The same with the optional block skip switch in a given position.
     pub fn with_skip(text: &str, format: &Format, skip: bool) -> Tape {
+        let control = Control::new(format);
+        let reading = read(text, &control);
         let mut tape = Tape {
             text: text.to_owned(),
-            control: Control::new(format),
+            control,
             skip,
-            rows: Rows::default(),
-            reading: Reading::default(),
+            reading,
             execution: Execution::default(),
-            diagnostics: Vec::new(),
+            findings: Findings::default(),
         };
         tape.run();
         tape
@@ -62,12 +68,15 @@ impl Tape {
         let from = boundary(range.start).unwrap_or(self.text.len());
         let to = boundary(range.end.max(range.start)).unwrap_or(self.text.len());
         self.text.replace_range(from..to, insert);
+        let change = Change { at: from, removed: to - from, inserted: insert.len() };
+        self.reading.edit(&self.text, &self.control, change);
         self.run();
     }
 
     /// Changes the format.
     pub fn set_format(&mut self, format: &Format) {
         self.control = Control::new(format);
+        self.reading = read(&self.text, &self.control);
         self.run();
     }
 
@@ -77,11 +86,9 @@ impl Tape {
         self.run();
     }
 
+    /// Executes what was read, and checks it as a whole.
     fn run(&mut self) {
-        self.rows = encode(&self.text, self.control.code, self.control.end_of_block);
-        self.reading = read(&self.text, &self.control);
         self.execution = execute(&self.reading, &self.control, self.skip);
-        let mut found = Vec::new();
         let skips = self.reading.blocks.iter().any(|block| block.skip);
         let other = skips.then(|| execute(&self.reading, &self.control, !self.skip));
         let view = TapeView {
@@ -91,14 +98,13 @@ impl Tape {
             execution: &self.execution,
             other: other.as_ref(),
         };
+        let mut found = Vec::new();
         let mut sink = Sink::new(self.control.standard(), &mut found);
-        if !rules::foreign_text::check(&view, &mut sink) {
+        let foreign = rules::foreign_text::check(&view, &mut sink);
+        if !foreign {
             rules::check_tape(&view, &mut sink);
-            found.extend(self.reading.diagnostics.iter().cloned());
         }
-        // Stable: at one place the order is that of the lists of rules.
-        found.sort_by_key(|diagnostic| (diagnostic.range.start, diagnostic.range.end));
-        self.diagnostics = found;
+        self.findings = Findings::new(found, &self.reading, foreign);
     }
 
     /// The text.
@@ -116,9 +122,19 @@ impl Tape {
         self.control.standard()
     }
 
-    /// The rows of holes.
-    pub fn rows(&self) -> &Rows {
-        &self.rows
+    /// All rows of holes. See [`Tape::rows_from`] for what is visible of a long tape.
+    pub fn rows(&self) -> Rows {
+        self.rows_from(0, usize::MAX)
+    }
+
+    /// At most `count` rows of holes, from row `first` on.
+    pub fn rows_from(&self, first: usize, count: usize) -> Rows {
+        self.reading.rows(&self.text, self.control.code, self.control.end_of_block, first, count)
+    }
+
+    /// The row whose character stands at or behind a byte of the text; the count of rows behind the last one.
+    pub fn row_at(&self, offset: usize) -> usize {
+        self.reading.row_at(&self.text, self.control.code, offset)
     }
 
     /// What was read: blocks and words.
@@ -137,13 +153,18 @@ impl Tape {
     }
 
     /// All diagnostics, by position.
-    pub fn diagnostics(&self) -> &[Diagnostic] {
-        &self.diagnostics
+    pub fn diagnostics(&self) -> Vec<Diagnostic> {
+        self.diagnostics_in(0..self.text.len(), usize::MAX)
+    }
+
+    /// The diagnostics that touch a stretch of the text, by position, at most `limit`.
+    pub fn diagnostics_in(&self, range: Range<usize>, limit: usize) -> Vec<Diagnostic> {
+        self.findings.touching(&self.reading, range, limit)
     }
 
     /// How many diagnostics weigh as much.
     pub fn count(&self, severity: Severity) -> usize {
-        self.diagnostics.iter().filter(|diagnostic| diagnostic.severity == severity).count()
+        self.findings.count(severity)
     }
 
     /// The path as points, within a tolerance.
@@ -164,7 +185,6 @@ impl Tape {
 
     /// The rows of a block.
     pub fn rows_of(&self, block: &Block) -> Range<usize> {
-        let row = |byte: usize| self.rows.offsets.partition_point(|&offset| (offset as usize) < byte);
-        row(block.range.start)..row(block.range.end)
+        block.row..block.row + block.rows
     }
 }

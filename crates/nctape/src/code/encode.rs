@@ -1,7 +1,7 @@
 //! From a listing to rows of holes.
 
 use super::{Code, EndOfBlock};
-use crate::text::{Listing, Mark};
+use crate::text::{Listing, Mark, TapeCharacter};
 
 /// The rows of a tape, and the character of the listing that each stands for.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -23,18 +23,37 @@ pub struct Rows {
 /// assert_eq!(rows.bytes, [0x45, 0x20, 0x02, 0x15, 0x67, 0x20, 0x01, 0x80]);
 /// ```
 pub fn encode(listing: &str, code: Code, end_of_block: EndOfBlock) -> Rows {
-    let mut rows = Rows::default();
-    for character in Listing::new(listing) {
+    encode_from(listing, 0, code, end_of_block, 0, usize::MAX)
+}
+
+/// The same from a byte on that is in no comment: at most `count` rows, behind the first `skip`.
+pub(crate) fn encode_from(
+    listing: &str,
+    at: usize,
+    code: Code,
+    end_of_block: EndOfBlock,
+    skip: usize,
+    count: usize,
+) -> Rows {
+    let punched = Listing::resume(listing, at, false).filter_map(|character| {
         let row = match character.mark {
             Mark::EndOfBlock => Some(code.end_of_block(end_of_block)),
             Mark::Character(c) => code.row(c),
         };
-        if let Some(row) = row {
-            rows.bytes.push(row);
-            rows.offsets.push(character.from as u32);
+        row.map(|row| (row, character.from as u32))
+    });
+    let (bytes, offsets) = punched.skip(skip).take(count).unzip();
+    Rows { bytes, offsets }
+}
+
+impl TapeCharacter {
+    /// It is punched: the code has a row for it.
+    pub(crate) fn has_row(&self, code: Code) -> bool {
+        match self.mark {
+            Mark::EndOfBlock => true,
+            Mark::Character(c) => code.row(c).is_some(),
         }
     }
-    rows
 }
 
 #[cfg(test)]

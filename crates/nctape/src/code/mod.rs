@@ -10,6 +10,7 @@ mod recognise;
 pub mod rs244;
 
 pub use decode::{DecodeOptions, Decoded, RowIssue, RowIssueKind, decode};
+pub(crate) use encode::encode_from;
 pub use encode::{Rows, encode};
 use recognise::recognise;
 

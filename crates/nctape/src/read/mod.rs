@@ -3,14 +3,23 @@
 //! Reading one block is a function of its characters, the control and whether a comment is open where it starts: its
 //! words, its strays and its diagnostics count offsets from the block's start. Reading never fails.
 
+mod block;
+mod edit;
+mod head;
 pub(crate) mod number;
+mod reader;
+mod reading;
 mod scanner;
-mod tape;
 mod word;
 
+pub use block::Block;
+pub(crate) use block::Traits;
+pub(crate) use edit::Change;
+pub use head::ProgramMark;
 pub(crate) use number::NumberFault;
+pub(crate) use reader::Found;
+pub use reading::{Reading, read};
 pub(crate) use scanner::{Stray, StrayKind};
-pub use tape::{Block, ProgramMark, Reading, read};
 pub use word::Word;
 
 use crate::format::Control;

@@ -74,6 +74,12 @@ pub(crate) struct Scanned {
     pub skip: Option<usize>,
     /// There is a comment in it.
     pub comment: bool,
+    /// Its comment is not closed.
+    pub unclosed: bool,
+    /// There is a tab in it, outside comments.
+    pub tab: bool,
+    /// How many rows it has on the tape.
+    pub rows: usize,
 }
 
 /// Reads the block that starts at byte `start`, adding to `words` and `strays`.
@@ -99,8 +105,10 @@ pub(crate) fn scan(
         comment: None,
         any_comment: false,
         any_word: false,
+        any_tab: false,
         first_word,
     };
+    let mut rows = 0;
     let mut listing = Listing::resume(text, start, false);
     let mut next = text.len();
     let mut end = BlockEnd::Text;
@@ -109,22 +117,40 @@ pub(crate) fn scan(
             Mark::EndOfBlock if !character.comment => {
                 end = BlockEnd::EndOfBlock(character.from);
                 next = character.to;
+                rows += 1;
                 break;
             }
-            Mark::EndOfBlock => {}
+            Mark::EndOfBlock => rows += 1,
             Mark::Character('%') if !character.comment && !scanner.any_word => {
                 end = BlockEnd::ProgramStart;
                 next = character.from;
                 break;
             }
-            Mark::Character(c) => scanner.take(c, character.from, character.to, character.comment),
+            Mark::Character(c) => {
+                let punched = control.code.row(c).is_some();
+                rows += usize::from(punched);
+                if character.comment {
+                    scanner.take_comment(c, punched, character.from, character.to);
+                } else {
+                    scanner.take(c, character.from, character.to);
+                }
+            }
         }
     }
     scanner.finish_word();
+    let unclosed = scanner.comment.is_some();
     if let Some(from) = scanner.comment {
         scanner.stray(StrayKind::Unclosed, from, from + 1);
     }
-    Scanned { end, next, skip: scanner.skip.map(|at| at - start), comment: scanner.any_comment }
+    Scanned {
+        end,
+        next,
+        skip: scanner.skip.map(|at| at - start),
+        comment: scanner.any_comment,
+        unclosed,
+        tab: scanner.any_tab,
+        rows,
+    }
 }
 
 struct Scanner<'a> {
@@ -146,6 +172,7 @@ struct Scanner<'a> {
     comment: Option<usize>,
     any_comment: bool,
     any_word: bool,
+    any_tab: bool,
     /// The words of earlier blocks.
     first_word: usize,
 }
@@ -162,16 +189,15 @@ struct Open {
 }
 
 impl Scanner<'_> {
-    fn take(&mut self, character: char, from: usize, to: usize, comment: bool) {
+    /// Takes a character that stands in no comment.
+    fn take(&mut self, character: char, from: usize, to: usize) {
         match character {
-            '(' if comment => self.stray(StrayKind::NestedControlOut, from, to),
             '(' => {
                 self.comment = Some(from);
                 self.any_comment = true;
             }
             ')' if self.comment.take().is_some() => {}
             ')' => self.stray(StrayKind::ControlIn, from, to),
-            _ if comment => self.take_comment(character, from, to),
             '0'..='9' => {
                 let word = self.open(from);
                 word.number.push_digit(character as u8 - b'0');
@@ -200,6 +226,7 @@ impl Scanner<'_> {
                 self.finish_word();
                 self.tabs = self.tabs.saturating_add(1);
                 self.tab = from;
+                self.any_tab = true;
                 self.column += 1;
             }
             '/' if !self.any_word && self.skip.is_none() => self.skip = Some(from),
@@ -216,11 +243,12 @@ impl Scanner<'_> {
         }
     }
 
-    fn take_comment(&mut self, character: char, from: usize, to: usize) {
-        if matches!(character, ':' | '%') {
-            self.stray(StrayKind::Reserved(character), from, to);
-        } else if self.control.code.row(character).is_none() {
-            self.stray(StrayKind::InComment(character), from, to);
+    fn take_comment(&mut self, character: char, punched: bool, from: usize, to: usize) {
+        match character {
+            '(' => self.stray(StrayKind::NestedControlOut, from, to),
+            ':' | '%' => self.stray(StrayKind::Reserved(character), from, to),
+            _ if !punched => self.stray(StrayKind::InComment(character), from, to),
+            _ => {}
         }
     }
 

@@ -3,7 +3,6 @@
 use crate::execute::Execution;
 use crate::format::Control;
 use crate::read::{Block, Reading, Word};
-use crate::text::{Listing, Mark};
 use std::ops::Range;
 
 /// A tape that was read and executed.
@@ -30,7 +29,7 @@ impl TapeView<'_> {
 
     /// The text ends in a comment that nothing closes.
     pub(crate) fn ends_in_comment(&self) -> bool {
-        Listing::new(self.text).last().is_some_and(|last| last.comment || last.mark == Mark::Character('('))
+        self.reading.ends_in_comment()
     }
 
     /// Where a word stands in the text.
@@ -78,10 +77,7 @@ impl TapeView<'_> {
 
     /// The blocks with a sequence number that can be told, and it.
     pub(crate) fn sequence_numbers(&self) -> impl Iterator<Item = (usize, i64)> {
-        self.reading.blocks.iter().enumerate().filter_map(|(index, block)| {
-            let first = self.reading.words(block).first().filter(|word| word.is_sequence())?;
-            Some((index, first.value?))
-        })
+        self.reading.blocks.iter().enumerate().filter_map(|(index, block)| Some((index, block.sequence_number()?)))
     }
 
     /// Where the sequence number word of a block stands.

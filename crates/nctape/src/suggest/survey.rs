@@ -76,7 +76,7 @@ impl Survey {
     pub(super) fn of(source: &str) -> Survey {
         // A detail without words gives every number its plain value and no address a meaning.
         let reading = read(source, &Control::new(&Format::new(Standard::Iso2539, "*")));
-        let words: Vec<&Word> = reading.words.iter().collect();
+        let words: Vec<&Word> = reading.blocks.iter().flat_map(|block| reading.words(block)).collect();
         let addressed = words.iter().filter(|word| word.address != 0).count();
         let tabs = words.iter().filter(|word| word.tabs > 0).count();
         let system = match (2 * addressed > words.len(), tabs > 0) {
@@ -104,7 +104,7 @@ impl Survey {
         survey.decimal_signs = 2 * signs > dimensions.len();
         let columns = if system == System::Tab { columns(&reading, source) } else { Vec::new() };
         survey.take_words(&reading, source, &columns);
-        let number = reading.programs.first().map(|mark| &source[mark.number.clone()]);
+        let number = reading.programs().next().map(|mark| &source[mark.number]);
         let digits = number.map_or(0, |number| number.bytes().filter(u8::is_ascii_digit).count());
         survey.program_number_digits = u8::try_from(digits).ok().filter(|digits| (1..=9).contains(digits));
         survey

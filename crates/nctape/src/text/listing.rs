@@ -55,36 +55,40 @@ impl<'a> Listing<'a> {
 impl Iterator for Listing<'_> {
     type Item = TapeCharacter;
 
+    #[inline]
     fn next(&mut self) -> Option<TapeCharacter> {
         let bytes = self.text.as_bytes();
-        loop {
-            let from = self.at;
-            let character = self.text[from..].chars().next()?;
-            let mut to = from + character.len_utf8();
-            let mut comment = self.comment;
-            let mark = match character {
-                '\n' | '\r' | '*' => {
-                    to = end_of_block_end(bytes, from);
-                    Mark::EndOfBlock
-                }
-                ' ' if !comment => {
-                    self.at = to;
-                    continue;
-                }
-                '(' => {
-                    self.comment = true;
-                    Mark::Character(character)
-                }
-                ')' => {
-                    self.comment = false;
-                    comment = false;
-                    Mark::Character(character)
-                }
-                _ => Mark::Character(character),
+        let mut from = self.at;
+        let mut byte = *bytes.get(from)?;
+        while byte == b' ' && !self.comment {
+            from += 1;
+            let Some(&next) = bytes.get(from) else {
+                self.at = from;
+                return None;
             };
-            self.at = to;
-            return Some(TapeCharacter { mark, from, to, comment });
+            byte = next;
         }
+        let mut to = from + 1;
+        let comment = self.comment && byte != b')';
+        let mark = match byte {
+            b'\n' | b'\r' | b'*' => {
+                to = end_of_block_end(bytes, from);
+                Mark::EndOfBlock
+            }
+            0x80.. => {
+                let character = self.text[from..].chars().next()?;
+                to = from + character.len_utf8();
+                Mark::Character(character)
+            }
+            _ => {
+                if matches!(byte, b'(' | b')') {
+                    self.comment = byte == b'(';
+                }
+                Mark::Character(char::from(byte))
+            }
+        };
+        self.at = to;
+        Some(TapeCharacter { mark, from, to, comment })
     }
 }
 

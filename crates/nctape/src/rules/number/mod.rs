@@ -52,7 +52,7 @@ mod tests {
         let format = Format::new(Standard::Iso2539, "N3G2X+42Y+32F4S3T2M2*").classified("CAM 222");
         for text in ["%\nN001 G00 X+001O00 M30\n", "%\nN001 G00 X+001000 T1O M30\n", "%\nN001 G0O X+001000 M30\n"] {
             let tape = Tape::new(text, &format);
-            let errors = tape.diagnostics().iter().filter(|found| found.severity == Severity::Error);
+            let errors = tape.diagnostics().into_iter().filter(|found| found.severity == Severity::Error);
             let found: Vec<&str> = errors.map(|found| found.id).collect();
             assert_eq!(found, ["WORD-14"], "{text}");
         }

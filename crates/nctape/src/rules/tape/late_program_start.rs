@@ -33,6 +33,6 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
 }
 
 /// The program start characters that stand before every block but behind an end of block.
-pub(super) fn marks<'a>(tape: &TapeView<'a>) -> impl Iterator<Item = &'a ProgramMark> {
-    tape.reading.programs.iter().filter(|mark| mark.behind_end_of_block && mark.blocks_before == 0)
+pub(super) fn marks(tape: &TapeView<'_>) -> impl Iterator<Item = ProgramMark> {
+    tape.reading.programs().filter(|mark| mark.behind_end_of_block && mark.blocks_before == 0)
 }

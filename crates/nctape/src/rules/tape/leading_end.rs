@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    for &index in &tape.reading.unled {
+    for index in tape.reading.unled() {
         let block = &tape.reading.blocks[index];
         // Behind a program without its end % starts no other one: TAPE-05.
         if index > 0 && !tape.ends_program(index - 1) {

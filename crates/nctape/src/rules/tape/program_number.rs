@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     let declared = tape.control.format.itemized.program_number_digits.unwrap_or(0);
-    for mark in &tape.reading.programs {
+    for mark in tape.reading.programs() {
         let digits = tape.text[mark.number.clone()].chars().filter(char::is_ascii_digit).count();
         let standard = tape.control.standard();
         let message = match (digits, standard) {

@@ -14,7 +14,7 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    for mark in &tape.reading.programs {
+    for mark in tape.reading.programs() {
         // Between programs that each have their end it starts the next one; at the end of the tape it is never rewound
         // over.
         let before = mark.blocks_before;

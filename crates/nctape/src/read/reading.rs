@@ -1,0 +1,156 @@
+//! What was read of a whole text, as flat tables.
+
+use super::block::{Block, Traits};
+use super::edit::Swallowed;
+use super::head::{Head, ProgramMark};
+use super::reader::{Found, Reader};
+use super::word::Word;
+use crate::code::{Code, EndOfBlock, Rows, encode_from};
+use crate::format::Control;
+use std::ops::Range;
+
+/// What was read of a text.
+#[derive(Clone, Debug, Default)]
+pub struct Reading {
+    /// The blocks, in order.
+    pub blocks: Vec<Block>,
+    pub(super) heads: Vec<Head>,
+    pub(super) found: Vec<Found>,
+    /// The words of all blocks, wherever a block's own may stand, and those of blocks that are gone.
+    pub(super) words: Vec<Word>,
+    /// How many of them belong to no block any more.
+    pub(super) dead: usize,
+    pub(super) swallowed: Swallowed,
+    pub(super) rows: usize,
+    pub(super) open_comment: bool,
+    pub(super) last_read: usize,
+}
+
+/// Reads a text against a control.
+pub fn read(text: &str, control: &Control) -> Reading {
+    let mut words = Vec::new();
+    let mut reader = Reader::new(text, control, &mut words);
+    while reader.place.is_some() {
+        reader.read();
+    }
+    let Reader { pieces, row, open_comment, .. } = reader;
+    Reading {
+        last_read: pieces.blocks.len(),
+        blocks: pieces.blocks,
+        heads: pieces.heads,
+        found: pieces.found,
+        words,
+        dead: 0,
+        swallowed: Swallowed::default(),
+        rows: row,
+        open_comment,
+    }
+}
+
+impl Reading {
+    /// The words of a block. Their offsets count from its start.
+    pub fn words(&self, block: &Block) -> &[Word] {
+        &self.words[block.words.start as usize..block.words.end as usize]
+    }
+
+    /// Where a word of a block stands in the text.
+    pub fn range(&self, block: &Block, word: &Word) -> Range<usize> {
+        block.range.start + word.range().start..block.range.start + word.range().end
+    }
+
+    /// The block that a byte of the text belongs to.
+    pub fn block_at(&self, offset: usize) -> Option<usize> {
+        let behind = self.blocks.partition_point(|block| block.range.start <= offset);
+        let index = behind.checked_sub(1)?;
+        (offset < self.blocks[index].range.end).then_some(index)
+    }
+
+    /// The block that a row of the tape belongs to.
+    pub fn block_of_row(&self, row: usize) -> Option<usize> {
+        let index = self.blocks.partition_point(|block| block.row <= row).checked_sub(1)?;
+        let block = &self.blocks[index];
+        (row < block.row + block.rows).then_some(index)
+    }
+
+    /// The program start characters, in order.
+    pub fn programs(&self) -> impl Iterator<Item = ProgramMark> {
+        let mut led = false;
+        self.heads.iter().filter_map(move |head| {
+            let behind_end_of_block = led || head.blocks_before > 0;
+            led |= head.led;
+            let (range, number) = head.mark.clone()?;
+            Some(ProgramMark { range, number, blocks_before: head.blocks_before, behind_end_of_block })
+        })
+    }
+
+    /// For each program whose first block is not preceded by an end of block, that block.
+    pub(crate) fn unled(&self) -> impl Iterator<Item = usize> {
+        let next = self.heads.iter().skip(1).map(|head| head.blocks_before).chain([self.blocks.len()]);
+        let heads = self.heads.iter().zip(next);
+        heads.filter(|(head, next)| !head.led && head.blocks_before < *next).map(|(head, _)| head.blocks_before)
+    }
+
+    /// What the rules of reading found, in order.
+    pub(crate) fn found(&self) -> &[Found] {
+        &self.found
+    }
+
+    /// The text ends in a comment that nothing closes.
+    pub(crate) fn ends_in_comment(&self) -> bool {
+        self.open_comment
+    }
+
+    /// What is in any block.
+    pub(crate) fn traits(&self) -> Traits {
+        self.blocks.iter().fold(Traits::default(), |traits, block| traits.with(block.traits))
+    }
+
+    /// How many blocks the last edit, or the first reading, has read.
+    pub fn last_read(&self) -> usize {
+        self.last_read
+    }
+
+    /// How many rows the tape has.
+    pub fn row_count(&self) -> usize {
+        self.rows
+    }
+
+    /// Rows of the tape: at most `count`, from row `first` on.
+    pub fn rows(&self, text: &str, code: Code, end_of_block: EndOfBlock, first: usize, count: usize) -> Rows {
+        let (at, row) = self.piece_of_row(first);
+        encode_from(text, at, code, end_of_block, first - row.min(first), count)
+    }
+
+    /// The row whose character stands at or behind a byte of the text.
+    pub fn row_at(&self, text: &str, code: Code, offset: usize) -> usize {
+        let block = self.blocks.partition_point(|block| block.range.start <= offset).checked_sub(1);
+        let head = self.heads.partition_point(|head| head.start <= offset).checked_sub(1);
+        let block = block.map_or((0, 0), |index| self.behind_or_in(index, offset));
+        let (at, row) = head.map_or(block, |index| block.max((self.heads[index].start, self.heads[index].row)));
+        let before = crate::text::Listing::resume(text, at, false).take_while(|it| it.from < offset);
+        row + before.filter(|it| it.has_row(code)).count()
+    }
+
+    /// The start of a block and its row, or what stands behind it where the byte does.
+    fn behind_or_in(&self, index: usize, offset: usize) -> (usize, usize) {
+        let block = &self.blocks[index];
+        match offset < block.range.end {
+            true => (block.range.start, block.row),
+            false => (block.range.end, block.row + block.rows),
+        }
+    }
+
+    /// The byte where the piece begins that holds a row, and the first row of that piece.
+    fn piece_of_row(&self, row: usize) -> (usize, usize) {
+        let block = self.blocks.partition_point(|block| block.row <= row).checked_sub(1);
+        let head = self.heads.partition_point(|head| head.row <= row).checked_sub(1);
+        let block = block.map_or((0, 0), |index| {
+            let block = &self.blocks[index];
+            match row < block.row + block.rows {
+                true => (block.range.start, block.row),
+                false => (block.range.end, block.row + block.rows),
+            }
+        });
+        head.map_or(block, |index| block.max((self.heads[index].start, self.heads[index].row)))
+    }
+}

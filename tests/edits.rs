@@ -1,0 +1,153 @@
+//! An edited tape is what a fresh one is, and little of it is read again.
+
+#[path = "support/edits.rs"]
+mod edits;
+
+use edits::{Numbers, edit, tape};
+use nctape::format::Dimensions;
+use nctape::{Format, Standard, Tape};
+use std::fmt::Write;
+
+fn formats() -> [Format; 4] {
+    let mut incremental =
+        Format::new(Standard::Iso2539, "N3.G2.XL42.YL42.ZL42.IL42.JL42.F4.T2.M2*").classified("CSM 332");
+    incremental.itemized.dimensions = Some(Dimensions::Incremental);
+    [
+        Format::new(Standard::Iso2539, "N3G2X+42Y+42I+42J+42F4T2M2*").classified("CAM 222"),
+        incremental,
+        Format::new(Standard::Iso1058, "N3.G2.X+42.Y+42.F2.T2.M2*").classified("PTM 222"),
+        Format::new(Standard::Rs274, "n3 g2 x+14 y+14 i+14 j+14 f21 m2*"),
+    ]
+}
+
+/// All that can be asked of a tape.
+fn dump(tape: &Tape) -> String {
+    let mut out = String::new();
+    let reading = tape.reading();
+    for block in &reading.blocks {
+        let words = reading.words(block);
+        writeln!(out, "{:?} {} {} {:?} {words:?}", block.range, block.skip, block.program, tape.rows_of(block))
+            .unwrap();
+    }
+    let rows = tape.rows();
+    assert_eq!(rows.bytes.len(), reading.row_count());
+    for program in reading.programs() {
+        writeln!(out, "{program:?}").unwrap();
+    }
+    for found in tape.diagnostics() {
+        let fixes: Vec<_> = found.fixes.iter().map(|fix| (&fix.title, &fix.edits)).collect();
+        writeln!(out, "{} {:?} {} {} {:?} {fixes:?}", found.id, found.range, found.count, found.message, found.related)
+            .unwrap();
+    }
+    for index in 0..tape.spans().list.len() {
+        let (start, end) = (tape.spans().start(index), tape.spans().end(index));
+        writeln!(out, "{:?} {start:?} {end:?}", tape.spans().list[index]).unwrap();
+    }
+    writeln!(out, "{:?} {rows:?}", tape.totals()).unwrap();
+    out
+}
+
+/// The bytes of a stretch of UTF-16 code units; a half of a pair counts as the whole one.
+fn bytes(text: &str, from: usize, to: usize) -> std::ops::Range<usize> {
+    let units = text.chars().scan(0, |unit, c| Some(std::mem::replace(unit, *unit + c.len_utf16())));
+    let places: Vec<(usize, usize)> = units.zip(text.char_indices().map(|(at, _)| at)).collect();
+    let byte = |unit: usize| places.get(places.partition_point(|it| it.0 < unit)).map_or(text.len(), |it| it.1);
+    byte(from)..byte(to).max(byte(from))
+}
+
+fn edited(seed: u64, count: usize, first: &str) {
+    let mut numbers = Numbers::new(seed);
+    let formats = formats();
+    let (mut format, mut skip) = (&formats[seed as usize % 4], false);
+    let mut tape = Tape::with_skip(first, format, skip);
+    for turn in 0..count {
+        match numbers.below(40) {
+            0 => {
+                format = &formats[numbers.below(4)];
+                tape.set_format(format);
+            }
+            1 => {
+                skip = !skip;
+                tape.set_skip(skip);
+            }
+            _ => {
+                let length = tape.text().encode_utf16().count();
+                let (from, to, insert) = edit(&mut numbers, length);
+                let range = bytes(tape.text(), from, to);
+                tape.edit(range, insert);
+            }
+        }
+        let fresh = Tape::with_skip(tape.text(), format, skip);
+        assert_eq!(dump(&tape), dump(&fresh), "seed {seed}, turn {turn}, of {:?}", tape.text());
+    }
+}
+
+#[test]
+fn after_each_of_a_thousand_edits_a_tape_equals_a_fresh_one() {
+    for seed in 0..20 {
+        edited(seed, 50, &tape(30));
+    }
+}
+
+#[test]
+fn so_does_a_long_tape_whose_blocks_a_comment_swallows_and_gives_back() {
+    for seed in 100..104 {
+        edited(seed, 50, &tape(300));
+    }
+}
+
+#[test]
+fn the_rows_of_a_stretch_are_those_of_the_whole() {
+    let tape = Tape::new(&tape(40), &formats()[0]);
+    let rows = tape.rows();
+    for first in 0..rows.bytes.len() {
+        let some = tape.rows_from(first, 7);
+        let last = (first + 7).min(rows.bytes.len());
+        assert_eq!((&some.bytes[..], &some.offsets[..]), (&rows.bytes[first..last], &rows.offsets[first..last]));
+        let offset = rows.offsets[first] as usize;
+        assert_eq!(tape.row_at(offset), first);
+        assert_eq!(tape.reading().block_of_row(first), tape.reading().block_at(offset), "row {first}");
+    }
+}
+
+const LINE: &str = "N001 G01 X+001000 Y+001000 F0300\n";
+
+fn long() -> Tape {
+    let text = format!("%\n{}N002 M30\n", LINE.repeat(10_000));
+    Tape::new(&text, &formats()[0])
+}
+
+#[test]
+fn an_edit_in_the_middle_of_ten_thousand_blocks_reads_three_at_most() {
+    let middle = 2 + 5_000 * LINE.len();
+    // A digit, a word, a line end, a line, the joint of two lines, one character of a line end.
+    for (from, to, insert) in [
+        (middle + 12, middle + 13, "7"),
+        (middle + 9, middle + 9, "G02 "),
+        (middle + 9, middle + 9, "\n"),
+        (middle, middle, LINE),
+        (middle - 1, middle, ""),
+        (middle - 1, middle, "\r\n"),
+        (middle - 1, middle - 1, "*"),
+        (middle + 5, middle + 5, "(A COMMENT)"),
+    ] {
+        let mut tape = long();
+        tape.edit(from..to, insert);
+        assert!(tape.reading().last_read() <= 3, "{insert:?}: {}", tape.reading().last_read());
+    }
+}
+
+#[test]
+fn closing_a_comment_gives_the_swallowed_blocks_back_unread() {
+    let middle = 2 + 5_000 * LINE.len() + 5;
+    let mut tape = long();
+    let before = dump(&tape);
+    tape.edit(middle..middle, "(");
+    assert_eq!(tape.reading().blocks.len(), 5_001);
+    tape.edit(middle + 1..middle + 1, "A");
+    tape.edit(middle + 2..middle + 2, ")");
+    assert_eq!(tape.reading().blocks.len(), 10_001);
+    assert!(tape.reading().last_read() <= 3, "{}", tape.reading().last_read());
+    tape.edit(middle..middle + 3, "");
+    assert!(dump(&tape) == before);
+}
