@@ -97,6 +97,13 @@ fn so_does_a_long_tape_whose_blocks_a_comment_swallows_and_gives_back() {
 }
 
 #[test]
+fn so_does_one_that_is_executed_from_a_mark_on() {
+    for seed in 200..204 {
+        edited(seed, 25, &tape(1_500));
+    }
+}
+
+#[test]
 fn the_rows_of_a_stretch_are_those_of_the_whole() {
     let tape = Tape::new(&tape(40), &formats()[0]);
     let rows = tape.rows();
@@ -133,7 +140,10 @@ fn an_edit_in_the_middle_of_ten_thousand_blocks_reads_three_at_most() {
     ] {
         let mut tape = long();
         tape.edit(from..to, insert);
-        assert!(tape.reading().last_read() <= 3, "{insert:?}: {}", tape.reading().last_read());
+        let (read, executed) = tape.last_work();
+        assert!(read <= 3, "{insert:?}: {read}");
+        // The path is absolute: it is as it was from the block behind the edit on, which the next mark shows.
+        assert!(executed <= 1_000, "{insert:?}: {executed}");
     }
 }
 
@@ -147,7 +157,7 @@ fn closing_a_comment_gives_the_swallowed_blocks_back_unread() {
     tape.edit(middle + 1..middle + 1, "A");
     tape.edit(middle + 2..middle + 2, ")");
     assert_eq!(tape.reading().blocks.len(), 10_001);
-    assert!(tape.reading().last_read() <= 3, "{}", tape.reading().last_read());
+    assert!(tape.last_work().0 <= 3, "{:?}", tape.last_work());
     tape.edit(middle..middle + 3, "");
     assert!(dump(&tape) == before);
 }

@@ -179,8 +179,8 @@ pub(crate) fn span(tape: &Tape, index: usize) -> SpanView {
     let mut view = SpanView {
         kind: span.kind.name(),
         blocks: span.blocks,
-        start: spans.start(index).to_vec(),
-        end: spans.end(index).to_vec(),
+        start: spans.start(index),
+        end: spans.end(index),
         plane: None,
         centre: None,
         sweep: None,

@@ -105,31 +105,42 @@ pub struct Span {
 pub struct Spans {
     /// The spans, in order of execution.
     pub list: Vec<Span>,
-    axes: usize,
-    positions: Vec<f64>,
+    /// How many axes there are beside X, Y and Z.
+    more: usize,
+    /// Where those are at the start and at the end of each span, axis by axis.
+    pub(crate) beyond: Vec<[f64; 2]>,
 }
 
 impl Spans {
     pub(crate) fn new(axes: usize) -> Spans {
-        Spans { list: Vec::new(), axes, positions: Vec::new() }
+        Spans { list: Vec::new(), more: axes.saturating_sub(3), beyond: Vec::new() }
     }
 
-    pub(crate) fn push(&mut self, span: Span, start: impl Iterator<Item = f64>, end: impl Iterator<Item = f64>) {
-        self.list.push(span);
-        self.positions.extend(start);
-        self.positions.extend(end);
+    /// None, with as many axes.
+    pub(crate) fn empty(&self) -> Spans {
+        Spans { list: Vec::new(), more: self.more, beyond: Vec::new() }
+    }
+
+    /// Puts spans in the place of others.
+    pub(crate) fn splice(&mut self, range: Range<usize>, others: Spans) {
+        self.beyond.splice(range.start * self.more..range.end * self.more, others.beyond);
+        self.list.splice(range, others.list);
     }
 
     /// Every axis at the start of a span.
-    pub fn start(&self, index: usize) -> &[f64] {
-        let from = index * 2 * self.axes;
-        &self.positions[from..from + self.axes]
+    pub fn start(&self, index: usize) -> Vec<f64> {
+        self.ends(index, 0)
     }
 
     /// Every axis at the end of a span.
-    pub fn end(&self, index: usize) -> &[f64] {
-        let from = (index * 2 + 1) * self.axes;
-        &self.positions[from..from + self.axes]
+    pub fn end(&self, index: usize) -> Vec<f64> {
+        self.ends(index, 1)
+    }
+
+    fn ends(&self, index: usize, which: usize) -> Vec<f64> {
+        let span = &self.list[index];
+        let beyond = &self.beyond[index * self.more..(index + 1) * self.more];
+        [span.start, span.end][which].into_iter().chain(beyond.iter().map(|ends| ends[which])).collect()
     }
 
     /// The spans that a block takes part in: none, or one, or two where it ends one and stands in for another.

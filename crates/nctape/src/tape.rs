@@ -35,6 +35,8 @@ pub struct Tape {
     skip: bool,
     reading: Reading,
     execution: Execution,
+    /// The tape executed with the optional block skip switch the other way; only where a block can be skipped.
+    other: Option<Execution>,
     findings: Findings,
 }
 
@@ -48,15 +50,10 @@ impl Tape {
     pub fn with_skip(text: &str, format: &Format, skip: bool) -> Tape {
         let control = Control::new(format);
         let reading = read(text, &control);
-        let mut tape = Tape {
-            text: text.to_owned(),
-            control,
-            skip,
-            reading,
-            execution: Execution::default(),
-            findings: Findings::default(),
-        };
-        tape.run();
+        let (execution, other) = (Execution::default(), None);
+        let mut tape =
+            Tape { text: text.to_owned(), control, skip, reading, execution, other, findings: Findings::default() };
+        tape.execute();
         tape
     }
 
@@ -69,34 +66,58 @@ impl Tape {
         let to = boundary(range.end.max(range.start)).unwrap_or(self.text.len());
         self.text.replace_range(from..to, insert);
         let change = Change { at: from, removed: to - from, inserted: insert.len() };
-        self.reading.edit(&self.text, &self.control, change);
-        self.run();
+        let reread = self.reading.edit(&self.text, &self.control, change);
+        self.execution.edit(&self.reading, &self.control, self.skip, &reread);
+        self.other = match self.other.take().filter(|_| self.skips()) {
+            None => self.execute_other(),
+            Some(mut other) => {
+                other.edit(&self.reading, &self.control, !self.skip, &reread);
+                Some(other)
+            }
+        };
+        self.check();
     }
 
     /// Changes the format.
     pub fn set_format(&mut self, format: &Format) {
         self.control = Control::new(format);
         self.reading = read(&self.text, &self.control);
-        self.run();
+        self.execute();
     }
 
     /// Changes the position of the optional block skip switch.
     pub fn set_skip(&mut self, skip: bool) {
-        self.skip = skip;
-        self.run();
+        if self.skip != skip {
+            self.skip = skip;
+            self.execute();
+        }
     }
 
-    /// Executes what was read, and checks it as a whole.
-    fn run(&mut self) {
+    /// Executes what was read from the start.
+    fn execute(&mut self) {
         self.execution = execute(&self.reading, &self.control, self.skip);
-        let skips = self.reading.blocks.iter().any(|block| block.skip);
-        let other = skips.then(|| execute(&self.reading, &self.control, !self.skip));
+        self.other = self.execute_other();
+        self.check();
+    }
+
+    fn execute_other(&self) -> Option<Execution> {
+        self.skips().then(|| execute(&self.reading, &self.control, !self.skip))
+    }
+
+    /// A block can be skipped.
+    fn skips(&self) -> bool {
+        self.reading.blocks.iter().any(|block| block.skip)
+    }
+
+    /// Checks the tape as a whole.
+    fn check(&mut self) {
         let view = TapeView {
             text: &self.text,
             control: &self.control,
             reading: &self.reading,
             execution: &self.execution,
-            other: other.as_ref(),
+            other: self.other.as_ref(),
+            seen: self.reading.traits(),
         };
         let mut found = Vec::new();
         let mut sink = Sink::new(self.control.standard(), &mut found);
@@ -181,6 +202,11 @@ impl Tape {
     /// The value of a word in the unit of the format; `None` where its digits do not say it.
     pub fn value(&self, word: &Word) -> Option<f64> {
         word.value.map(|value| number::in_unit(&self.control, word.address, value))
+    }
+
+    /// How many blocks the last edit has read and executed again; at first, all of them.
+    pub fn last_work(&self) -> (usize, usize) {
+        (self.reading.last_read(), self.execution.last_executed())
     }
 
     /// The rows of a block.

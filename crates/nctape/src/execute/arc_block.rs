@@ -10,7 +10,7 @@ impl State<'_> {
     /// An arc in one block: 4.2.2.1.
     pub(super) fn arc(&mut self, clockwise: bool) {
         self.finish_span();
-        let start = self.position.clone();
+        let start = self.position;
         if self.control.arc_parameters != ArcParameters::Centre {
             self.refuse(ParameterReading::AngleRadius, &start);
             return;
@@ -23,7 +23,7 @@ impl State<'_> {
             self.note(EventKind::OutOfPlane { word });
         }
         if moved.is_some() || self.is_doubtful([first, second]) {
-            self.left_out |= self.target == start;
+            self.leave_out(self.target == start);
             self.substitute(&start, self.block);
             return;
         }
@@ -151,7 +151,7 @@ impl State<'_> {
         let Some(pending) = self.pending.take() else {
             let [first, second, _] = self.plane.axes();
             let doubtful = self.is_doubtful([first, second]);
-            self.pending = Some(Pending { block: self.block, start: self.position.clone(), parabola: false, doubtful });
+            self.pending = Some(Pending { block: self.block, start: self.position, parabola: false, doubtful });
             return;
         };
         let start = pending.start;
@@ -164,7 +164,7 @@ impl State<'_> {
             if !doubtful {
                 self.events.push(Event { block: pending.block, kind: EventKind::ThirdAxisMoves });
             }
-            self.left_out |= self.target == start;
+            self.leave_out(self.target == start);
             self.substitute(&start, pending.block);
             return;
         }

@@ -15,7 +15,7 @@ impl State<'_> {
 
     /// A straight stand-in from `start` to the target, whose feed and time are not known.
     pub(super) fn substitute(&mut self, start: &[i64], first: usize) {
-        if start == self.target {
+        if *start == *self.target {
             return;
         }
         let (from, to) = (self.point(start), self.point(&self.target));
@@ -25,7 +25,7 @@ impl State<'_> {
             geometry: Geometry::Line,
             start: from,
             end: to,
-            length: self.straight_length(start),
+            length: self.straight_length(start, from, to),
             feed: None,
             seconds: None,
             substitute: true,
@@ -43,7 +43,7 @@ impl State<'_> {
     ) {
         let (from, to) = (self.point(start), self.point(&self.target));
         let length = match geometry {
-            Geometry::Line => self.straight_length(start),
+            Geometry::Line => self.straight_length(start, from, to),
             Geometry::Arc(arc) => {
                 let third = arc.plane.axes()[2];
                 libm::hypot(arc.length_in_plane(), to[third] - from[third])
@@ -84,11 +84,10 @@ impl State<'_> {
     }
 
     fn push_span(&mut self, span: Span, start: &[i64]) {
-        let in_unit = |position: &[i64]| -> Vec<f64> {
-            position.iter().enumerate().map(|(axis, &increments)| self.in_unit(axis, increments)).collect()
-        };
-        let (from, to) = (in_unit(start), in_unit(&self.target));
-        self.spans.push(span, from.into_iter(), to.into_iter());
+        self.spans.list.push(span);
+        for (axis, (&start, &end)) in start.iter().zip(self.target.iter()).enumerate().skip(3) {
+            self.spans.beyond.push([start, end].map(|increments| self.in_unit(axis, increments)));
+        }
     }
 
     /// The feed as the tape states it, where it states one along the path. A thread runs by its lead.
@@ -132,12 +131,12 @@ impl State<'_> {
     }
 
     /// The length of a straight move: along X, Y and Z, or along the other axes where those stand still.
-    pub(super) fn straight_length(&self, start: &[i64]) -> f64 {
-        let move_of = |axis: usize| self.in_unit(axis, self.target[axis]) - self.in_unit(axis, start[axis]);
-        let path = norm(subtract(self.point(&self.target), self.point(start)));
+    fn straight_length(&self, start: &[i64], from: [f64; 3], to: [f64; 3]) -> f64 {
+        let path = norm(subtract(to, from));
         if path > 0.0 {
             return path;
         }
+        let move_of = |axis: usize| self.in_unit(axis, self.target[axis]) - self.in_unit(axis, start[axis]);
         (3..self.target.len()).map(move_of).fold(0.0, libm::hypot)
     }
 }

@@ -23,8 +23,8 @@ pub(crate) enum EventKind {
     ReciprocalParabola,
     /// Time-reciprocal coding: an arc, while it is not stated how its feed is read.
     ArcFeedNotStated { by_radians: f64, by_time: f64 },
-    /// More axes move than the control moves at once.
-    TooManyAxes { moving: String, allowed: u8, positioning: bool },
+    /// More axes move, a bit each in the order of the control, than the control moves at once.
+    TooManyAxes { moving: u32, allowed: u8, positioning: bool },
     /// The third axis moves in an arc block, or has a parameter there.
     OutOfPlane { word: usize },
     /// The third axis moves between the points of an arc in two blocks.
@@ -63,6 +63,8 @@ pub(crate) enum EventKind {
     RapidSpeed { word: usize },
     /// A miscellaneous function starts the spindle before any S word.
     SpindleWithoutSpeed { word: usize },
+    /// A motion that could not be drawn at all, because no word of it could be read: the time of the tape is not known.
+    LeftOut,
     /// A preparatory function whose effect is not computed.
     NotCarriedOut(Limit),
 }

@@ -1,7 +1,7 @@
 //! The motion of one block: which kind of span its words make.
 
 use super::event::{Event, EventKind};
-use super::state::{Motion, State};
+use super::state::{Motion, State, bit};
 use crate::format::Standard;
 use crate::span::{Geometry, SpanKind};
 
@@ -30,11 +30,11 @@ impl State<'_> {
             Motion::Parabola if parametric => self.parabola(),
             Motion::Parabola => self.parabola_point(),
             Motion::Curve => {
-                let start = self.position.clone();
+                let start = self.position;
                 self.substitute(&start, self.block);
             }
         }
-        self.position.clone_from(&self.target);
+        self.position = self.target;
     }
 
     /// Ends a span of several blocks that is not complete: its points are joined by a stand-in.
@@ -44,7 +44,7 @@ impl State<'_> {
             let kind = EventKind::Unfinished { parabola: pending.parabola };
             self.events.push(Event { block: pending.block, kind });
         }
-        let target = std::mem::replace(&mut self.target, self.position.clone());
+        let target = std::mem::replace(&mut self.target, self.position);
         let block = self.block;
         self.block = pending.block;
         self.substitute(&pending.start, pending.block);
@@ -66,10 +66,10 @@ impl State<'_> {
             _ => None,
         };
         let moves = |axis: &usize| self.target[*axis] != self.position[*axis] && Some(*axis) != out_of_plane;
-        let axes = (0..self.target.len()).filter(moves);
-        let moving: String = axes.map(|axis| self.control.axes[axis].letter).collect();
-        if moving.chars().count() > usize::from(allowed) {
+        let axes = || (0..self.target.len()).filter(moves);
+        if axes().count() > usize::from(allowed) {
             let positioning = motion == Motion::Rapid || self.control.standard() == Standard::Iso1058;
+            let moving = axes().fold(0, |set, axis| set | bit(axis));
             self.note(EventKind::TooManyAxes { moving, allowed, positioning });
         }
     }
@@ -78,11 +78,8 @@ impl State<'_> {
     /// that left it is at fault.
     fn check_travel(&mut self) {
         let control = self.control;
-        let Some(travels) = &control.format.itemized.travel else { return };
-        for (index, axis) in control.axes.iter().enumerate() {
-            let (Some(word), Some(&travel)) = (self.words[index], travels.get(&axis.letter.to_string())) else {
-                continue;
-            };
+        for (index, &travel) in control.travel.iter().enumerate() {
+            let (Some(word), Some(travel)) = (self.words[index], travel) else { continue };
             let beyond = |increments: i64| {
                 let at = self.in_unit(index, increments);
                 (at < travel.0 || at > travel.1).then_some(at)
@@ -102,14 +99,14 @@ impl State<'_> {
             }
         }
         if self.target == self.position {
-            self.left_out |= self.is_doubtful([]);
+            self.leave_out(self.is_doubtful([]));
             // A first block that states the set point moves nothing and is as it should be.
-            if self.words.iter().any(Option::is_some) && !self.spans.list.is_empty() && !self.is_doubtful([]) {
+            if self.words.iter().any(Option::is_some) && self.moved() && !self.is_doubtful([]) {
                 self.note(EventKind::NoMotion);
             }
             return;
         }
-        let start = self.position.clone();
+        let start = self.position;
         // A word that could not be read may have been any: how far the tool moves is not known.
         if self.is_doubtful((0..self.words.len()).filter(|&axis| self.words[axis].is_some())) {
             self.substitute(&start, self.block);

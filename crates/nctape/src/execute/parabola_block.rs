@@ -11,7 +11,7 @@ impl State<'_> {
     /// A parabola in one block: 4.2.3.1.
     pub(super) fn parabola(&mut self) {
         self.finish_span();
-        let start = self.position.clone();
+        let start = self.position;
         if self.control.parabola_parameters != ParabolaParameters::Tangent {
             let reading = match self.control.parabola_parameters {
                 ParabolaParameters::Focus => ParameterReading::Focus,
@@ -37,7 +37,7 @@ impl State<'_> {
     pub(super) fn parabola_point(&mut self) {
         let Some(pending) = self.pending.take() else {
             let doubtful = self.is_doubtful(0..self.target.len());
-            self.pending = Some(Pending { block: self.block, start: self.position.clone(), parabola: true, doubtful });
+            self.pending = Some(Pending { block: self.block, start: self.position, parabola: true, doubtful });
             return;
         };
         let start = pending.start;
@@ -55,7 +55,7 @@ impl State<'_> {
         doubtful: bool,
     ) {
         if doubtful {
-            self.left_out |= start == self.target;
+            self.leave_out(*start == *self.target);
             self.substitute(start, blocks.0);
             return;
         }

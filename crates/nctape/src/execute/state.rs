@@ -3,6 +3,8 @@
 use super::event::{Event, EventKind, Limit};
 use super::feed::{self, CodeFault, Feed};
 use super::is_carried_out;
+use super::mark::Carried;
+use super::position::Position;
 use crate::format::{Control, Dimensions, FeedCoding, FeedUnit, Plane, Sign, Standard, power_of_ten};
 use crate::function::{Group, Preparatory, preparatory};
 use crate::read::Word;
@@ -24,10 +26,10 @@ pub(crate) enum Motion {
 }
 
 /// A point of a span whose last block is still to come.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pending {
     pub block: usize,
-    pub start: Vec<i64>,
+    pub start: Position,
     pub parabola: bool,
     /// A word of the block could not be read, or its start is a guess.
     pub doubtful: bool,
@@ -64,12 +66,12 @@ pub(crate) struct State<'a> {
     coding: FeedCoding,
     unit: FeedUnit,
     /// Where every axis is, in least input increments.
-    pub position: Vec<i64>,
+    pub position: Position,
     pub pending: Option<Pending>,
 
     pub block: usize,
     /// Where the block takes every axis.
-    pub target: Vec<i64>,
+    pub target: Position,
     /// The block has a dimension word that can be used; the place of the last one for each axis.
     pub words: Vec<Option<usize>>,
     /// I, J and K of the block.
@@ -90,8 +92,8 @@ pub(crate) struct State<'a> {
 
     pub spans: Spans,
     pub events: Vec<Event>,
-    /// A motion could not be drawn at all, because no word of it could be read.
-    pub left_out: bool,
+    /// There was a span before those.
+    moved_before: bool,
 }
 
 impl<'a> State<'a> {
@@ -108,10 +110,10 @@ impl<'a> State<'a> {
             any_speed: false,
             coding: control.feed,
             unit: control.feed_unit,
-            position: control.set_point.clone(),
+            position: Position::new(&control.set_point),
             pending: None,
             block: 0,
-            target: control.set_point.clone(),
+            target: Position::new(&control.set_point),
             words: vec![None; axes],
             parameters: [None; 3],
             own_feed: false,
@@ -124,15 +126,63 @@ impl<'a> State<'a> {
             preload: false,
             spans: Spans::new(axes),
             events: Vec::new(),
-            left_out: false,
+            moved_before: false,
         }
     }
 
     /// Back to the modal state of the start, as a new program on the tape finds it; the tool stays where it is.
     pub(crate) fn restart(&mut self) {
-        let (position, spans, events) =
-            (std::mem::take(&mut self.position), std::mem::take(&mut self.spans), std::mem::take(&mut self.events));
-        *self = State { position, spans, events, left_out: self.left_out, ..State::new(self.control) };
+        let (spans, events) = (std::mem::take(&mut self.spans), std::mem::take(&mut self.events));
+        *self = State {
+            position: self.position,
+            spans,
+            events,
+            moved_before: self.moved_before,
+            ..State::new(self.control)
+        };
+    }
+
+    /// What it carries into the next block of the program.
+    pub(super) fn carried(&self) -> Carried {
+        let State { motion, plane, incremental, feed, speed, cutting_speed, any_speed, coding, unit, .. } = *self;
+        Carried {
+            motion,
+            plane,
+            incremental,
+            feed,
+            speed,
+            cutting_speed,
+            any_speed,
+            coding,
+            unit,
+            position: self.position,
+            pending: self.pending,
+            lost: self.lost,
+            moved: self.moved(),
+            ended: false,
+        }
+    }
+
+    /// Goes on from what another carried.
+    pub(super) fn take_over(&mut self, carried: &Carried) {
+        let Carried { motion, plane, incremental, feed, speed, cutting_speed, any_speed, coding, unit, .. } = *carried;
+        (self.motion, self.plane, self.incremental) = (motion, plane, incremental);
+        (self.feed, self.speed, self.cutting_speed, self.any_speed) = (feed, speed, cutting_speed, any_speed);
+        (self.coding, self.unit) = (coding, unit);
+        (self.position, self.pending, self.lost) = (carried.position, carried.pending, carried.lost);
+        self.moved_before = carried.moved;
+    }
+
+    /// The tape has a span already.
+    pub(super) fn moved(&self) -> bool {
+        self.moved_before || !self.spans.list.is_empty()
+    }
+
+    /// Notes a motion of which nothing can be drawn.
+    pub(super) fn leave_out(&mut self, holds: bool) {
+        if holds {
+            self.note(EventKind::LeftOut);
+        }
     }
 
     pub(crate) fn mode(&self) -> Mode {
@@ -146,7 +196,7 @@ impl<'a> State<'a> {
 
     pub(crate) fn begin_block(&mut self, index: usize) {
         self.block = index;
-        self.target.clone_from(&self.position);
+        self.target = self.position;
         self.words.fill(None);
         self.parameters = [None; 3];
         self.own_feed = false;
@@ -336,7 +386,7 @@ impl<'a> State<'a> {
     pub(crate) fn is_motionless(&mut self) -> bool {
         if self.preload {
             self.finish_span();
-            self.position.clone_from(&self.target);
+            self.position = self.target;
         }
         self.motionless || self.preload
     }
@@ -358,6 +408,6 @@ impl<'a> State<'a> {
 }
 
 /// The bit of an axis in a set of axes.
-fn bit(axis: usize) -> u32 {
+pub(super) fn bit(axis: usize) -> u32 {
     1_u32.checked_shl(axis as u32).unwrap_or(0)
 }

@@ -60,6 +60,9 @@ pub struct Control {
     pub arc_feed: ArcFeed,
     /// F is this divided by minutes.
     pub time_scale: f64,
+    /// The travel of every axis, where it is stated: least and greatest position in the unit of the format.
+    pub travel: Vec<Option<(f64, f64)>>,
+    simultaneous: Option<u8>,
     designation_of: [u8; 128],
     axis_of: [u8; 128],
 }
@@ -112,6 +115,8 @@ impl Control {
             feed_unit: stated.feed_unit.unwrap_or(FeedUnit::PerMinute),
             arc_feed: stated.arc_feed.unwrap_or(ArcFeed::Radians),
             time_scale: stated.time_scale.map_or(1.0, |scale| f64::from(scale.0)),
+            travel: axes.iter().map(|axis| stated.travel.as_ref()?.get(&axis.letter.to_string()).copied()).collect(),
+            simultaneous: digits.map(|digits| digits[2]),
             format: format.clone(),
             classification,
             detail,
@@ -140,7 +145,7 @@ impl Control {
 
     /// Motions that the control carries out at once: the third digit of the classification.
     pub fn simultaneous(&self) -> Option<u8> {
-        self.classification.as_ref().and_then(Classification::digits).map(|digits| digits[2])
+        self.simultaneous
     }
 
     /// The unit of angular dimensions: degrees where the classification does not say.
@@ -152,7 +157,16 @@ impl Control {
 /// Ten to the power of a count of decimal places. Exact: 10^18 is the last power below 2^63, and what
 /// [`super::Detail`] allows is 9 places.
 pub(crate) fn power_of_ten(places: u8) -> i64 {
-    10i64.pow(u32::from(places.min(18)))
+    const POWERS: [i64; 19] = {
+        let mut powers = [1; 19];
+        let mut places = 1;
+        while places < 19 {
+            powers[places] = 10 * powers[places - 1];
+            places += 1;
+        }
+        powers
+    };
+    POWERS[usize::from(places.min(18))]
 }
 
 fn axes(detail: &Detail, compensation: bool) -> Vec<Axis> {

@@ -14,7 +14,7 @@ mod word;
 
 pub use block::Block;
 pub(crate) use block::Traits;
-pub(crate) use edit::Change;
+pub(crate) use edit::{Change, Reread};
 pub use head::ProgramMark;
 pub(crate) use number::NumberFault;
 pub(crate) use reader::Found;

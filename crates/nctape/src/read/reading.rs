@@ -90,6 +90,14 @@ impl Reading {
         heads.filter(|(head, next)| !head.led && head.blocks_before < *next).map(|(head, _)| head.blocks_before)
     }
 
+    /// The stretches of a text of some length that belong to no block.
+    pub(crate) fn between_blocks(&self, length: usize) -> impl Iterator<Item = Range<usize>> {
+        let end = |blocks: usize| blocks.checked_sub(1).map_or(0, |last| self.blocks[last].range.end);
+        let next = move |blocks: usize| self.blocks.get(blocks).map_or(length, |block| block.range.start);
+        let counts = self.heads.iter().map(|head| head.blocks_before).chain([self.blocks.len()]);
+        counts.map(move |blocks| end(blocks)..next(blocks))
+    }
+
     /// What the rules of reading found, in order.
     pub(crate) fn found(&self) -> &[Found] {
         &self.found
@@ -106,7 +114,7 @@ impl Reading {
     }
 
     /// How many blocks the last edit, or the first reading, has read.
-    pub fn last_read(&self) -> usize {
+    pub(crate) fn last_read(&self) -> usize {
         self.last_read
     }
 

@@ -11,6 +11,9 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) -> bool {
 
 /// Today's G-code: most dimension words, those that are a mere 0 left aside, have a decimal point. One such word alone is a slip, and NUM-03 mends it.
 fn todays_code(tape: &TapeView<'_>, sink: &mut Sink<'_>) -> bool {
+    if !tape.seen.any(Traits::DECIMAL_SIGN) {
+        return false;
+    }
     let (mut dimensions, mut zeros, mut points, mut first) = (0_usize, 0_usize, 0_usize, None);
     for (block, word) in tape.words() {
         if !DIMENSION_LETTERS.contains(word.letter()) || word.fault == NumberFault::Empty {

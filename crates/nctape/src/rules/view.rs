@@ -2,7 +2,7 @@
 
 use crate::execute::Execution;
 use crate::format::Control;
-use crate::read::{Block, Reading, Word};
+use crate::read::{Block, Reading, Traits, Word};
 use std::ops::Range;
 
 /// A tape that was read and executed.
@@ -13,6 +13,8 @@ pub(crate) struct TapeView<'a> {
     pub execution: &'a Execution,
     /// The tape executed with the optional block skip switch the other way; only where a block can be skipped.
     pub other: Option<&'a Execution>,
+    /// What is in any block: a rule that looks for something else has nothing to do.
+    pub seen: Traits,
 }
 
 impl TapeView<'_> {

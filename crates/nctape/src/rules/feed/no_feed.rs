@@ -17,6 +17,9 @@ pub static RULE: Rule = Rule {
 /// of a block that is read as G01 because it has no function at all (FUN-05).
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     let events = &tape.execution.events;
+    if !events.iter().any(|event| matches!(event.kind, EventKind::NoFeed)) {
+        return;
+    }
     let blocks = &tape.reading.blocks;
     let unread =
         |index: usize| tape.reading.words(&blocks[index]).iter().any(|w| w.address == b'F' && w.value.is_none());

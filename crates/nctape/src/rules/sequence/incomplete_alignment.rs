@@ -12,18 +12,21 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
+    if !tape.seen.any(Traits::address(b':')) {
+        return;
+    }
     let control = tape.control;
     let blocks = &tape.reading.blocks;
     let has = |index: usize, letter: char| {
-        let words = blocks.get(index).map(|block| tape.reading.words(block));
-        words.is_some_and(|words| words.iter().any(|word| word.letter() == letter))
+        blocks.get(index).is_some_and(|block| block.traits.any(Traits::address(letter as u8)))
     };
-    let mut used = None;
     for (index, block) in blocks.iter().enumerate() {
+        if !block.traits.any(Traits::address(b':')) {
+            continue;
+        }
         let Some(word) = tape.reading.words(block).first().filter(|word| word.address == b':') else { continue };
         // What the tape never uses is not missed: no T without a tool changer.
-        let used: &[bool; 128] = used.get_or_insert_with(|| used_letters(tape));
-        let is_used = |letter: char| used[letter as usize & 127];
+        let is_used = |letter: char| tape.seen.any(Traits::address(letter as u8));
         let functions = "GFSTM".chars().filter(|&letter| {
             let known = control.designation(letter as u8).is_some();
             known && (is_used(letter) || letter == 'G') && !has(index, letter)
@@ -45,11 +48,4 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         );
         sink.report(&RULE, tape.range(block, word), message);
     }
-}
-
-/// The letters that are an address on the tape.
-fn used_letters(tape: &TapeView<'_>) -> [bool; 128] {
-    let mut used = [false; 128];
-    tape.words().for_each(|(_, word)| used[usize::from(word.address) & 127] = true);
-    used
 }

@@ -1,7 +1,6 @@
 //! SEQ-08: a sequence number occurs twice.
 
 use crate::rules::prelude::*;
-use std::collections::HashMap;
 
 /// The rule.
 pub static RULE: Rule = Rule {
@@ -13,14 +12,20 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    let mut seen: HashMap<(u32, i64), usize> = HashMap::new();
-    let mut found = tape.sequence_numbers().filter_map(|(block, number)| {
-        let program = tape.reading.blocks[block].program;
-        let first = *seen.entry((program, number)).or_insert(block);
-        (first != block).then_some((block, first))
+    let program = |block: usize| tape.reading.blocks[block].program;
+    let numbers = || tape.sequence_numbers().map(|(block, number)| ((program(block), number), block));
+    // Numbers that rise, as they do on most tapes, have no twin.
+    if numbers().is_sorted_by(|one, next| one.0 < next.0) {
+        return;
+    }
+    let mut numbers: Vec<((u32, i64), usize)> = numbers().collect();
+    numbers.sort_by_key(|it| it.0);
+    let twins = numbers.chunk_by(|one, next| one.0 == next.0).filter(|twins| twins.len() > 1);
+    let (count, repeated) = twins.fold((0, None::<(usize, usize)>), |(count, repeated), twins| {
+        let this = (twins[1].1, twins[0].1);
+        (count + twins.len() - 1, Some(repeated.map_or(this, |other| other.min(this))))
     });
-    let Some((block, first)) = found.next() else { return };
-    let count = 1 + found.count();
+    let Some((block, first)) = repeated else { return };
     let range = tape.sequence_range(block);
     let message = format!(
         "The sequence number {} stands in an earlier block too: a search stops at that one. Number the blocks anew.",

@@ -16,13 +16,14 @@ pub static RULE: Rule = Rule {
 /// the control should hold the same; where it does not, the blocks before it that can be skipped are at fault.
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     let Some(other) = tape.other else { return };
-    let stays = |held: &&(usize, Held)| !tape.reading.blocks[held.0].skip;
-    let pairs = tape.execution.held.iter().filter(stays).zip(other.held.iter().filter(stays));
+    let held = |index: usize| other.held.binary_search_by_key(&index, |held| held.0).map(|at| &other.held[at].1);
+    // What only one of them executes is no matter here.
+    let pairs = tape.execution.held.iter().filter_map(|(index, one)| Some((*index, one, held(*index).ok()?)));
     let mut differed = false;
     let mut before = 0;
-    for ((index, one), (_, another)) in pairs {
+    for (index, one, another) in pairs {
         let differs = one != another;
-        let skipped = (before..*index).find(|&block| tape.reading.blocks[block].skip);
+        let skipped = (before..index).find(|&block| tape.reading.blocks[block].skip);
         if let (true, false, Some(block)) = (differs, differed, skipped) {
             let message = format!(
                 "Whether this block is skipped changes {} for the blocks behind it. Give there again what they rest on, \
@@ -38,7 +39,7 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
 
 /// What the control holds differently: axes, functions or speeds.
 fn what(tape: &TapeView<'_>, one: &Held, another: &Held) -> String {
-    let axes = one.position.iter().zip(&another.position).zip(&tape.control.axes);
+    let axes = one.position.iter().zip(another.position.iter()).zip(&tape.control.axes);
     let moved: Vec<String> =
         axes.filter(|((one, another), _)| one != another).map(|(_, axis)| axis.letter.to_string()).collect();
     match (moved.is_empty(), one.mode == another.mode) {

@@ -12,7 +12,8 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    if tape.control.system != System::Address {
+    let between = || tape.reading.between_blocks(tape.text.len()).any(|gap| tape.text[gap].contains('\t'));
+    if tape.control.system != System::Address || !tape.seen.any(Traits::TAB) && !between() {
         return;
     }
     let mut comment = false;

@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     // EIA code has one case of letters: there is nothing to tell apart on the tape.
-    if tape.control.code == Code::Eia {
+    if tape.control.code == Code::Eia || !tape.seen.any(Traits::LOWER_CASE) {
         return;
     }
     let mut found = tape.words().filter(|(_, word)| word.lower_case);

@@ -13,11 +13,11 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(block: &FeedWords<'_>, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    if block.contouring || block.feeds.len() < 2 {
+    if block.contouring || block.feeds(tape.control).nth(1).is_none() {
         return;
     }
     let follows_axis = |&place: &usize| place > 0 && block.is_dimension(place - 1, tape.control);
-    let Some(&place) = block.feeds.iter().find(|place| !follows_axis(place)) else { return };
+    let Some(place) = block.feeds(tape.control).find(|place| !follows_axis(place)) else { return };
     let letter = block.words[place].letter();
     let message = format!(
         "{letter} follows no dimension word. A block with several feed words has one for an axis right behind the word \

@@ -13,7 +13,8 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(block: &FeedWords<'_>, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    let [place] = block.feeds[..] else { return };
+    let mut feeds = block.feeds(tape.control);
+    let (Some(place), None) = (feeds.next(), feeds.next()) else { return };
     // While positioning, a feed word right behind a dimension word is that of its axis.
     if !block.contouring && place > 0 && block.is_dimension(place - 1, tape.control) {
         return;

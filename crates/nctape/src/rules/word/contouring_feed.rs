@@ -13,8 +13,9 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(block: &FeedWords<'_>, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    let (true, [first, second, ..]) = (block.contouring, &block.feeds[..]) else { return };
-    let (first, second) = (&block.words[*first], &block.words[*second]);
+    let mut feeds = block.feeds(tape.control).filter(|_| block.contouring);
+    let Some((first, second)) = feeds.next().zip(feeds.next()) else { return };
+    let (first, second) = (&block.words[first], &block.words[second]);
     let message = format!(
         "{} is a second feed in a block that contours: one feed holds along the path, for all axes. Keep one, behind the \
          last dimension word.",

@@ -21,7 +21,7 @@ pub(crate) mod unknown_address;
 
 use crate::format::Control;
 use crate::function::{Group, Preparatory, preparatory};
-use crate::read::{Block, Word};
+use crate::read::{Block, Traits, Word};
 use crate::rules::TapeView;
 
 /// Letters that rules of their own speak of: the general rule on unknown addresses keeps quiet about them.
@@ -44,13 +44,16 @@ fn is_known(word: &Word, control: &Control) -> bool {
 pub(crate) struct FeedWords<'a> {
     block: &'a Block,
     words: &'a [Word],
-    /// The places of the feed words among the words.
-    feeds: Vec<usize>,
     /// The block cuts along a path: an interpolation code is in force.
     contouring: bool,
 }
 
 impl FeedWords<'_> {
+    /// The places of the feed words among the words.
+    fn feeds<'a>(&'a self, control: &'a Control) -> impl Iterator<Item = usize> + 'a {
+        self.words.iter().enumerate().filter(|(_, word)| is_feed(word, control)).map(|(place, _)| place)
+    }
+
     fn is_dimension(&self, place: usize, control: &Control) -> bool {
         control.designation(self.words[place].address).is_some_and(|word| word.dimension)
     }
@@ -60,16 +63,18 @@ impl FeedWords<'_> {
 pub(crate) fn feed_words<'a>(tape: &TapeView<'a>) -> impl Iterator<Item = FeedWords<'a>> {
     let (reading, control) = (tape.reading, tape.control);
     let mut contouring = false;
-    reading.blocks.iter().filter_map(move |block| {
+    let feeds = b"FDE".iter().fold(Traits::default(), |traits, &letter| traits.with(Traits::address(letter)));
+    let concerns = feeds.with(Traits::address(b'G'));
+    let blocks = reading.blocks.iter().filter(move |block| block.traits.any(concerns));
+    blocks.filter_map(move |block| {
         let words = reading.words(block);
         for code in words.iter().filter_map(|word| word.function(b'G')) {
             if let Preparatory::Assigned(Group::Motion, _) = preparatory(code) {
                 contouring = code != 0;
             }
         }
-        let feeds = words.iter().enumerate().filter(|(_, word)| is_feed(word, control)).map(|(place, _)| place);
-        let feeds: Vec<usize> = feeds.collect();
-        (!feeds.is_empty()).then_some(FeedWords { block, words, feeds, contouring })
+        let has_feed = block.traits.any(feeds) && words.iter().any(|word| is_feed(word, control));
+        has_feed.then_some(FeedWords { block, words, contouring })
     })
 }
 

@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    if tape.control.designation(b'M').is_none() {
+    if tape.control.designation(b'M').is_none() || !tape.seen.any(Traits::address(b'T')) {
         return;
     }
     let mut called: Option<(&Block, &Word)> = None;
@@ -21,6 +21,9 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     for block in &tape.reading.blocks {
         if called.is_some_and(|(before, _)| before.program != block.program) {
             unused.extend(called.take());
+        }
+        if !block.traits.any(Traits::address(b'T').with(Traits::address(b'M'))) {
+            continue;
         }
         let words = tape.reading.words(block);
         for word in words.iter().filter(|word| word.address == b'T' && word.value != Some(0)) {
