@@ -43,7 +43,7 @@ fn dump(tape: &Tape) -> String {
         let (start, end) = (tape.spans().start(index), tape.spans().end(index));
         writeln!(out, "{:?} {start:?} {end:?}", tape.spans().list[index]).unwrap();
     }
-    writeln!(out, "{:?} {rows:?}", tape.totals()).unwrap();
+    writeln!(out, "{:?} {:?} {rows:?}", tape.totals(), tape.bounds()).unwrap();
     out
 }
 

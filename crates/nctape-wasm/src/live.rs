@@ -106,12 +106,6 @@ impl Tape {
     /// What the tape holds, in numbers.
     #[wasm_bindgen(unchecked_return_type = "Summary")]
     pub fn summary(&self) -> JsValue {
-        let spans = &self.tape.spans().list;
-        let bounds = spans.iter().map(|span| span.bounds()).reduce(|(min, max), (least, greatest)| {
-            let lower = std::array::from_fn(|axis| f64::min(min[axis], least[axis]));
-            let upper = std::array::from_fn(|axis| f64::max(max[axis], greatest[axis]));
-            (lower, upper)
-        });
         to_js(&Summary {
             edit: self.edit,
             unit: self.tape.control().unit.name(),
@@ -120,12 +114,12 @@ impl Tape {
             blocks: self.tape.reading().blocks.len(),
             skips: self.tape.reading().blocks.iter().filter(|block| block.skip).count(),
             rows: self.tape.reading().row_count(),
-            spans: spans.len(),
+            spans: self.tape.spans().list.len(),
             errors: self.tape.count(Severity::Error),
             warnings: self.tape.count(Severity::Warning),
             infos: self.tape.count(Severity::Info),
             totals: report::totals(&self.tape),
-            bounds: bounds.map(|(min, max)| Bounds { min, max }),
+            bounds: self.tape.bounds().map(|it| Bounds { min: it.least, max: it.greatest }),
         })
     }
 

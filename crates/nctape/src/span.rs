@@ -1,5 +1,6 @@
 //! Spans: the pieces of path that blocks make (4.1).
 
+use crate::execute::Share;
 use crate::format::Plane;
 use std::ops::Range;
 
@@ -108,23 +109,37 @@ pub struct Spans {
     /// How many axes there are beside X, Y and Z.
     more: usize,
     /// Where those are at the start and at the end of each span, axis by axis.
-    pub(crate) beyond: Vec<[f64; 2]>,
+    beyond: Vec<[f64; 2]>,
+    shares: Vec<Share>,
 }
 
 impl Spans {
     pub(crate) fn new(axes: usize) -> Spans {
-        Spans { list: Vec::new(), more: axes.saturating_sub(3), beyond: Vec::new() }
+        Spans { more: axes.saturating_sub(3), ..Spans::default() }
     }
 
     /// None, with as many axes.
     pub(crate) fn empty(&self) -> Spans {
-        Spans { list: Vec::new(), more: self.more, beyond: Vec::new() }
+        Spans { more: self.more, ..Spans::default() }
     }
 
     /// Puts spans in the place of others.
     pub(crate) fn splice(&mut self, range: Range<usize>, others: Spans) {
         self.beyond.splice(range.start * self.more..range.end * self.more, others.beyond);
+        self.shares.splice(range.clone(), others.shares);
         self.list.splice(range, others.list);
+    }
+
+    /// Adds a span, and where the axes beyond X, Y and Z are at its ends.
+    pub(crate) fn push(&mut self, span: Span, beyond: impl Iterator<Item = [f64; 2]>) {
+        self.shares.push(Share::of(&span));
+        self.list.push(span);
+        self.beyond.extend(beyond);
+    }
+
+    /// What each adds to the totals.
+    pub(crate) fn shares(&self) -> &[Share] {
+        &self.shares
     }
 
     /// Every axis at the start of a span.

@@ -2,7 +2,7 @@
 
 use crate::code::Rows;
 use crate::diagnostic::{Diagnostic, Severity, Sink};
-use crate::execute::{Execution, Totals, execute};
+use crate::execute::{Bounds, Execution, Totals, execute};
 use crate::flatten::{Points, flatten};
 use crate::format::{Control, Format, Standard};
 use crate::read::{Block, Change, Reading, Word, number, read};
@@ -171,6 +171,11 @@ impl Tape {
     /// Lengths and times.
     pub fn totals(&self) -> Totals {
         self.execution.totals
+    }
+
+    /// The room that the path takes; `None` where nothing moves.
+    pub fn bounds(&self) -> Option<Bounds> {
+        self.execution.bounds
     }
 
     /// All diagnostics, by position.

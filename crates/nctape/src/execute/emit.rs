@@ -3,7 +3,7 @@
 use super::event::{Event, EventKind, Limit, ParameterReading};
 use super::feed::Feed;
 use super::parabola::{Parabola, norm, subtract};
-use super::state::{Motion, State};
+use super::state::{Motion, State, in_unit};
 use crate::format::ArcFeed;
 use crate::span::{Geometry, Span, SpanKind};
 
@@ -84,10 +84,9 @@ impl State<'_> {
     }
 
     fn push_span(&mut self, span: Span, start: &[i64]) {
-        self.spans.list.push(span);
-        for (axis, (&start, &end)) in start.iter().zip(self.target.iter()).enumerate().skip(3) {
-            self.spans.beyond.push([start, end].map(|increments| self.in_unit(axis, increments)));
-        }
+        let control = self.control;
+        let ends = start.iter().zip(self.target.iter()).zip(&control.axes).skip(3);
+        self.spans.push(span, ends.map(|((&start, &end), axis)| [start, end].map(|at| in_unit(axis, at))));
     }
 
     /// The feed as the tape states it, where it states one along the path. A thread runs by its lead.

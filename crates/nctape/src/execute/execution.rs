@@ -7,7 +7,7 @@
 use super::event::{Event, EventKind};
 use super::mark::{Carried, Lengths, Mark};
 use super::state::State;
-use super::totals::Totals;
+use super::totals::{Bounds, Totals};
 use super::{Held, run_block};
 use crate::format::Control;
 use crate::read::{Reading, Reread};
@@ -23,6 +23,8 @@ pub struct Execution {
     pub spans: Spans,
     /// Lengths and times.
     pub totals: Totals,
+    /// The room that the path takes; `None` where nothing moves.
+    pub bounds: Option<Bounds>,
     /// What could not be done as written.
     pub(crate) events: Vec<Event>,
     /// Blocks that no one executes, because an end of program stands before them.
@@ -75,13 +77,27 @@ impl Execution {
             mark.block = mark.block.wrapping_add(shift);
             mark.lengths = mark.lengths.moved(end, moved);
         }
+        let added_marks = marks.len();
         self.marks.splice(kept..met, marks);
         if shift != 0 {
             self.move_blocks(moved, shift);
         }
-        self.totals = Totals::of(&self.spans);
+        self.measure(kept, added_marks);
+        self.totals = Totals::of(self.spans.shares());
         let left_out = self.events.iter().any(|event| matches!(event.kind, EventKind::LeftOut));
         self.totals.seconds = self.totals.seconds.filter(|_| !left_out);
+    }
+
+    /// The room of the path: anew for the marks that were set and the one behind them, as kept for the others.
+    fn measure(&mut self, first: usize, count: usize) {
+        let mut from = first.checked_sub(1).map_or(0, |before| self.marks[before].lengths.spans);
+        for mark in self.marks.iter_mut().skip(first).take(count + 1) {
+            mark.bounds = Bounds::of(&self.spans.list[from..mark.lengths.spans]);
+            from = mark.lengths.spans;
+        }
+        let from = self.marks.last().map_or(0, |last| last.lengths.spans);
+        let rest = Bounds::of(&self.spans.list[from..]);
+        self.bounds = self.marks.iter().map(|mark| mark.bounds).chain([rest]).flatten().reduce(Bounds::with);
     }
 
     /// Gives the blocks of what follows the lengths their new numbers.
@@ -189,7 +205,7 @@ impl<'a> Run<'a> {
             // None right before one that may stand: many edits would leave many of them.
             let apart = near.is_none_or(|near| near == self.index || near - self.index > BETWEEN_MARKS / 2);
             if self.index >= self.last_mark + BETWEEN_MARKS && apart {
-                let mark = Mark { block: self.index, carried: self.carried(), lengths: self.lengths() };
+                let mark = Mark { block: self.index, carried: self.carried(), lengths: self.lengths(), bounds: None };
                 self.marks.push(mark);
                 self.last_mark = self.index;
             }

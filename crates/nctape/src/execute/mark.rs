@@ -3,6 +3,7 @@
 use super::feed::Feed;
 use super::position::Position;
 use super::state::{Motion, Pending};
+use super::totals::Bounds;
 use crate::format::{FeedCoding, FeedUnit, Plane};
 
 /// What passes from one block to the next.
@@ -32,6 +33,8 @@ pub(super) struct Mark {
     pub block: usize,
     pub carried: Carried,
     pub lengths: Lengths,
+    /// The room of the path from the mark before it to this one.
+    pub bounds: Option<Bounds>,
 }
 
 /// How long the tables of execution are.

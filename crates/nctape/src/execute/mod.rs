@@ -21,7 +21,8 @@ pub(crate) use circle::ArcFault;
 pub(crate) use event::{Event, EventKind, Limit, ParameterReading};
 pub use execution::Execution;
 pub(crate) use execution::execute;
-pub use totals::Totals;
+pub(crate) use totals::Share;
+pub use totals::{Bounds, Totals};
 
 use crate::function::Group;
 use crate::read::{Block, Traits, Word};

@@ -5,7 +5,7 @@ use super::feed::{self, CodeFault, Feed};
 use super::is_carried_out;
 use super::mark::Carried;
 use super::position::Position;
-use crate::format::{Control, Dimensions, FeedCoding, FeedUnit, Plane, Sign, Standard, power_of_ten};
+use crate::format::{Axis, Control, Dimensions, FeedCoding, FeedUnit, Plane, Sign, Standard, power_of_ten};
 use crate::function::{Group, Preparatory, preparatory};
 use crate::read::Word;
 use crate::span::Spans;
@@ -398,13 +398,18 @@ impl<'a> State<'a> {
 
     /// A position of one axis in the unit of the format: one exact division.
     pub(crate) fn in_unit(&self, axis: usize, increments: i64) -> f64 {
-        increments as f64 / power_of_ten(self.control.axes[axis].decimals) as f64
+        in_unit(&self.control.axes[axis], increments)
     }
 
     /// X, Y and Z of a position in the unit of the format.
     pub(crate) fn point(&self, position: &[i64]) -> [f64; 3] {
         std::array::from_fn(|axis| self.in_unit(axis, position[axis]))
     }
+}
+
+/// A position of an axis in the unit of the format.
+pub(super) fn in_unit(axis: &Axis, increments: i64) -> f64 {
+    increments as f64 / power_of_ten(axis.decimals) as f64
 }
 
 /// The bit of an axis in a set of axes.
