@@ -129,6 +129,11 @@ impl<'a> Sink<'a> {
         Sink { standard, out }
     }
 
+    /// How many findings there are.
+    pub(crate) fn len(&self) -> usize {
+        self.out.len()
+    }
+
     /// Reports a finding, unless the standard in force has no verdict on it.
     pub(crate) fn report(&mut self, rule: &'static Rule, range: Range<usize>, message: String) -> Reported<'_> {
         match rule.verdicts.under(self.standard) {

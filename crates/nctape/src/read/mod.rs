@@ -33,6 +33,8 @@ pub(crate) struct BlockView<'a> {
     pub strays: &'a [Stray],
     /// The character of the optional block skip at the head of the block.
     pub skip: Option<usize>,
+    /// There is a comment in it.
+    pub comment: bool,
     /// The first byte of the end-of-block character; `None` where the text ends before it.
     pub end: Option<usize>,
 }

@@ -124,6 +124,7 @@ impl<'a> Reader<'a> {
                 words,
                 strays: &self.strays,
                 skip: scanned.skip,
+                comment: scanned.comment,
                 end: match scanned.end {
                     BlockEnd::EndOfBlock(byte) => Some(byte - start),
                     _ => None,

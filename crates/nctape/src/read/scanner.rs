@@ -112,7 +112,7 @@ pub(crate) fn scan(
     let mut listing = Listing::resume(text, start, false);
     let mut next = text.len();
     let mut end = BlockEnd::Text;
-    for character in &mut listing {
+    while let Some(character) = listing.next() {
         match character.mark {
             Mark::EndOfBlock if !character.comment => {
                 end = BlockEnd::EndOfBlock(character.from);
@@ -133,6 +133,15 @@ pub(crate) fn scan(
                     scanner.take_comment(c, punched, character.from, character.to);
                 } else {
                     scanner.take(c, character.from, character.to);
+                    // Digits stand together, mostly. Both codes have rows for them.
+                    if let Some(word) = scanner.word.as_mut().filter(|_| c != '(') {
+                        let digits = listing.digits();
+                        rows += digits.len();
+                        if !digits.is_empty() {
+                            digits.iter().for_each(|digit| word.number.push_digit(digit - b'0'));
+                            word.to = character.to + digits.len();
+                        }
+                    }
                 }
             }
         }

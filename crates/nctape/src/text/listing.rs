@@ -46,6 +46,15 @@ impl<'a> Listing<'a> {
         Listing { text, at: 0, comment: false }
     }
 
+    /// Takes the digits that follow with nothing between them.
+    #[inline]
+    pub(crate) fn digits(&mut self) -> &'a [u8] {
+        let rest = &self.text.as_bytes()[self.at..];
+        let count = rest.iter().take_while(|byte| byte.is_ascii_digit()).count();
+        self.at += count;
+        &rest[..count]
+    }
+
     /// Starts at byte `at`, which must be on a character boundary; `comment` tells whether a comment is open there.
     pub(crate) fn resume(text: &'a str, at: usize, comment: bool) -> Self {
         Listing { text, at, comment }

@@ -39,7 +39,7 @@ pub(super) fn holds(at: usize, block: &BlockView<'_>) -> bool {
 /// many.
 fn found(block: &BlockView<'_>) -> Vec<(usize, usize, usize)> {
     // A comment that nothing closes is said to be one: CTRL-01.
-    if block.strays.iter().any(|stray| stray.kind == StrayKind::Unclosed) {
+    if !block.comment || block.strays.iter().any(|stray| stray.kind == StrayKind::Unclosed) {
         return Vec::new();
     }
     let mut found: Vec<(usize, usize, usize)> = Vec::new();

@@ -24,6 +24,9 @@ pub(super) fn report(
     block: &BlockView<'_>,
     sink: &mut Sink<'_>,
 ) {
+    if block.strays.is_empty() {
+        return;
+    }
     for word in block.words {
         let letters: Vec<(char, std::ops::Range<usize>)> = block
             .strays

@@ -37,6 +37,9 @@ pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
 /// Where the digits of a preparatory function begin that lost its G and ran into the sequence number before it:
 /// digits of both words, the last of an assigned function, in a block that moves and has no G.
 pub(crate) fn run_in(word: &Word, block: &BlockView<'_>) -> Option<usize> {
+    if !word.is_sequence() && word.address != 0 {
+        return None;
+    }
     let control = block.control;
     let (number, function) = (control.designation(b'N')?.width(), control.designation(b'G')?.width());
     let head = block.sequence().filter(|_| control.system != System::Tab)?;

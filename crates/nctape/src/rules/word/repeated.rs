@@ -12,6 +12,16 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
+    let mut seen = 0_u128;
+    let twice = block.words.iter().any(|word| {
+        let bit = 1 << (word.address & 127);
+        let before = seen;
+        seen |= bit;
+        before & bit != 0
+    });
+    if !twice {
+        return;
+    }
     let mut first_of: [Option<&Word>; 128] = [None; 128];
     for word in block.words {
         let Some(designation) = block.control.designation(word.address) else { continue };
