@@ -149,13 +149,10 @@ export function makeStrip({ store, engine, kinds, onRow }) {
       reach(row);
     },
     async goToBlock(direction) {
-      const at = windows.row(Math.round(position))?.block ?? -1;
-      if (direction < 0 && at <= 0) {
-        this.go(0);
-        return;
-      }
-      const block = await engine.ask('block', Math.max(0, at + direction));
-      if (block) this.go(block.rows[0]);
+      const row = Math.round(position);
+      const found = await engine.ask('blockBeside', row, direction);
+      if (found === undefined) return;
+      this.go(found ?? (direction < 0 ? 0 : Math.max(row, rows() - 1)));
     },
   });
 
