@@ -1,6 +1,7 @@
 // The path of the tool, in one plane.
 import { button, byId, el, onceAFrame } from '../dom.js';
 import { palette } from '../palette.js';
+import { timed } from '../timing.js';
 import { drawConstruction } from './construction.js';
 import { drawLit, drawPath, drawStart } from './draw.js';
 import { drawGrid } from './grid.js';
@@ -117,8 +118,13 @@ export function makePlot({ store, engine, kinds, onBlock }) {
   }
 
   function draw() {
-    const { summary, here, pointed, theme } = store.state;
-    if (summary === null || stale || canvas.width === 0) return;
+    const { summary } = store.state;
+    if (summary !== null && !stale && canvas.width > 0) timed('nctape.plot', () => drawAll(summary));
+  }
+
+  /** @param {import('nctape').Summary} summary */
+  function drawAll(summary) {
+    const { here, pointed, theme } = store.state;
     const colours = palette(theme);
     const font = getComputedStyle(document.documentElement).getPropertyValue('--mono');
     if (!baseIsTrue) {

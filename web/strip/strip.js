@@ -1,6 +1,7 @@
 // The tape under the reader head.
 import { byId, lessMotion, onceAFrame } from '../dom.js';
 import { palette } from '../palette.js';
+import { timed } from '../timing.js';
 import { listed, whole } from '../words.js';
 import { drawStrip, stripHeight } from './draw.js';
 import { listenToHand } from './input.js';
@@ -75,7 +76,7 @@ export function makeStrip({ store, engine, kinds, onRow }) {
     const half = canvas.width / ratio / pitch / 2 + 16;
     windows.want(Math.floor(position - half), Math.min(rows() - 1, Math.ceil(position + half)));
     const block = store.state.here?.block ?? null;
-    drawStrip(context, {
+    const picture = {
       sheet,
       windows,
       meanings,
@@ -86,7 +87,8 @@ export function makeStrip({ store, engine, kinds, onRow }) {
       position,
       lit: block === null ? null : block.rows,
       ratio,
-    });
+    };
+    timed('nctape.strip', () => drawStrip(context, picture));
   }
 
   /** The character under the head, told once its row is here. */
