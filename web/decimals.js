@@ -8,15 +8,19 @@ import { counted } from './words.js';
  * @param {object} parts
  * @param {import('./store.js').Store} parts.store
  * @param {import('./engine.js').Engine} parts.engine
- * @param {(format: Format) => void} parts.change
+ * @param {(format: Format) => void} parts.attempt  changes the format while the hand moves
+ * @param {(began: Format) => void} parts.keep  the hand rests: undo goes back to this format
  */
-export function makeDecimals({ store, engine, change }) {
+export function makeDecimals({ store, engine, attempt, keep }) {
   const slider = byId('decimals', HTMLInputElement);
   const words = byId('decimals-words', HTMLElement);
   /** The format that the slider stands for, and where its decimal sign is. @type {{ format: Format, places: number } | null} */
   let known = null;
   /** The hand is ahead of the format. */
   let following = false;
+  /** The format before the hand moved. @type {Format | null} */
+  let began = null;
+  let resting = true;
 
   async function refresh() {
     if (following) return;
@@ -49,20 +53,37 @@ export function makeDecimals({ store, engine, change }) {
     tell();
     if (following) return;
     following = true;
+    began ??= store.state.format;
     while (known !== null && known.format === store.state.format && known.places !== Number(slider.value)) {
       const places = Number(slider.value);
       const { format } = known;
       const next = await engine.fact('shiftDecimals', format, places);
       if (next === null || store.state.format !== format) break;
       known = { format: next, places };
-      change(next);
+      attempt(next);
     }
     following = false;
+    settle();
     // Where the format was changed from elsewhere meanwhile, the slider goes to it.
     void refresh();
   }
 
-  slider.addEventListener('input', () => void follow());
+  /** One drag is one step of undo, however many formats it went through. */
+  function settle() {
+    if (!resting || following || began === null) return;
+    const from = began;
+    began = null;
+    if (known !== null && known.format === store.state.format && from !== store.state.format) keep(from);
+  }
+
+  slider.addEventListener('input', () => {
+    resting = false;
+    void follow();
+  });
+  slider.addEventListener('change', () => {
+    resting = true;
+    settle();
+  });
   store.on(['format'], () => void refresh());
   void refresh();
 }

@@ -52,6 +52,21 @@ export function button(className, label, press, attributes) {
   return made;
 }
 
+/**
+ * Does what a key means here; a key that means nothing here, or that is held with another, stays the browser's.
+ * @param {HTMLElement} element
+ * @param {(key: string) => (() => void) | null} deedOf
+ */
+export function onKeys(element, deedOf) {
+  element.addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const deed = deedOf(event.key);
+    if (deed === null) return;
+    event.preventDefault();
+    deed();
+  });
+}
+
 /** @returns {boolean} the user asked for less motion */
 export const lessMotion = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
 

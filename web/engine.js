@@ -3,6 +3,8 @@
 // One change is under way at a time. What changes meanwhile is put together and sent as one,
 // so that a long tape is never more than one change behind the typing.
 
+import { timed } from './timing.js';
+
 /** @typedef {import('./worker.js').Changes} Changes */
 /** @typedef {import('./worker.js').Facts} Facts */
 /** @typedef {import('./worker.js').Questions} Questions */
@@ -156,7 +158,7 @@ export class Engine {
     if (worker !== this.worker) return;
     this.busy = false;
     if (this.waiting !== null) this.sendWaiting();
-    else if (change !== undefined) this.callbacks.onChange(change);
+    else if (change !== undefined) timed('nctape.show', () => this.callbacks.onChange(change));
   }
 
   /**

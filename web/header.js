@@ -1,5 +1,6 @@
-// The header: which example, and the format in one line.
-import { byId, el } from './dom.js';
+// The header: which tape, and the format in one line.
+import { byId } from './dom.js';
+import { makePicker } from './own-tape.js';
 import { severityMark, SEVERITY_WORD } from './severity.js';
 
 /** @typedef {import('nctape').Preset} Preset */
@@ -10,15 +11,11 @@ import { severityMark, SEVERITY_WORD } from './severity.js';
  * @param {import('./engine.js').Engine} parts.engine
  * @param {Preset[]} parts.presets
  * @param {(preset: Preset) => void} parts.choose
+ * @param {() => import('./own-tape.js').Whole} parts.current
+ * @param {(tape: import('./own-tape.js').Whole) => void} parts.load
  */
-export function makeHeader({ store, engine, presets, choose }) {
-  const picker = byId('preset', HTMLSelectElement);
-  const own = el('option', { value: '', hidden: true }, 'Your tape');
-  picker.replaceChildren(own, ...presets.map(({ id, title }) => el('option', { value: id }, title)));
-  picker.addEventListener('change', () => {
-    const preset = presets.find(({ id }) => id === picker.value);
-    if (preset !== undefined) choose(preset);
-  });
+export function makeHeader({ store, engine, presets, choose, current, load }) {
+  const picker = makePicker({ presets, choose, current, load });
 
   const line = byId('format-text', HTMLElement);
   const flag = byId('format-flag', HTMLElement);
@@ -39,15 +36,5 @@ export function makeHeader({ store, engine, presets, choose }) {
   store.on(['format'], () => void tellFormat());
   void tellFormat();
 
-  return {
-    /**
-     * Shows which example the text is, if it is one.
-     * @param {(source: string) => boolean} is
-     */
-    name(is) {
-      const preset = presets.find(({ source }) => is(source));
-      picker.value = preset?.id ?? '';
-      picker.title = preset?.about ?? '';
-    },
-  };
+  return picker;
 }

@@ -1,7 +1,7 @@
 // Makes the views and ties them to one tape: what one of them is told, all of them show.
 import { byId } from './dom.js';
 import { makeDecimals } from './decimals.js';
-import { changeFormat, currentFormat, insertTab, makeEditor, movedBy, moveCursor, replaceAll } from './editor/editor.js';
+import { changeFormat, currentFormat, insertTab, keepFormat, makeEditor, movedBy, moveCursor, replaceAll, tryFormat } from './editor/editor.js';
 import { light } from './editor/lit.js';
 import { makeFormatPanel } from './format-panel/panel.js';
 import { makeHeader } from './header.js';
@@ -36,6 +36,7 @@ export function makePlayground({ store, engine, kinds, presets }) {
     engine,
     standard: () => store.state.format.standard,
     load(example) {
+      header.keep();
       replaceAll(editor, example);
       if (layout.narrow()) layout.showTab('program');
       editor.focus();
@@ -60,6 +61,8 @@ export function makePlayground({ store, engine, kinds, presets }) {
 
   /** The text was replaced as a whole, and the engine has not answered yet. */
   let replaced = true;
+  /** It was replaced by a paste, which leaves the cursor behind the last line. */
+  let pasted = false;
   const { view: editor, refreshMarks } = makeEditor({
     host: byId('editor', HTMLElement),
     format: first.format,
@@ -77,6 +80,11 @@ export function makePlayground({ store, engine, kinds, presets }) {
     engine,
     presets,
     choose: (preset) => replaceAll(editor, preset),
+    current: whole,
+    load(tape) {
+      replaceAll(editor, tape);
+      editor.focus();
+    },
   });
   makeThemeButton(store);
   makeLearn();
@@ -87,7 +95,12 @@ export function makePlayground({ store, engine, kinds, presets }) {
   makeStrip({ store, engine, kinds, onRow: (offset) => moveCursor(editor, offset, 'tape') });
   const problems = makeProblems({ store, engine, deeds, textLength: () => editor.state.doc.length, cursor: () => editor.state.selection.main.from });
   makePlot({ store, engine, kinds, onBlock: (offset) => moveCursor(editor, offset, 'path') });
-  makeDecimals({ store, engine, change });
+  makeDecimals({
+    store,
+    engine,
+    attempt: (format) => tryFormat(editor, format),
+    keep: (began) => keepFormat(editor, began),
+  });
   makeSkip({ store, engine, cursor: head });
   makeTotals(store);
   byId('tab-key', HTMLElement).addEventListener('click', () => {
@@ -117,12 +130,26 @@ export function makePlayground({ store, engine, kinds, presets }) {
   }
 
   /** @param {ViewUpdate} update */
-  function noteEdit({ changes, startState, state }) {
+  function noteEdit({ changes, startState, state, transactions }) {
     changes.iterChangedRanges((from, to) => {
-      replaced ||= from === 0 && to >= startState.doc.length * 0.9;
+      if (from > 0 || to < startState.doc.length * 0.9) return;
+      replaced = true;
+      pasted = transactions.some((one) => one.isUserEvent('input.paste'));
     });
     problems.move(changes);
     header.name((source) => source.length === state.doc.length && source === state.doc.toString());
+  }
+
+  /** The tape as it stands, with all that opens it again. */
+  function whole() {
+    return { source: editor.state.doc.toString(), format: currentFormat(editor), cursor: head() };
+  }
+
+  /** Puts the cursor where there is something to be seen. */
+  async function goToSight() {
+    const { doc } = editor.state;
+    const offset = await engine.ask('sight');
+    if (offset !== undefined && editor.state.doc === doc) moveCursor(editor, offset, 'paste');
   }
 
   async function locate() {
@@ -141,7 +168,8 @@ export function makePlayground({ store, engine, kinds, presets }) {
     current: () => ({ source: editor.state.doc.toString(), format: currentFormat(editor), skip: store.state.skip, offset: head() }),
     changed({ summary, here }) {
       store.set({ summary, here, whole: replaced });
-      replaced = false;
+      if (pasted) void goToSight();
+      replaced = pasted = false;
       // The cursor may have moved on while the engine was reading.
       if (here.offset !== head()) void locate();
     },

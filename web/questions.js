@@ -122,9 +122,49 @@ export const questions = {
     return span === null ? null : { span, block: tape.block(span.blocks[1]) };
   },
 
+  /**
+   * The first row of the next block before or behind a row, which need not lie in a block; null where there is none.
+   * @param {Tape} tape
+   * @param {number} row
+   * @param {1 | -1} direction
+   */
+  blockBeside(tape, row, direction) {
+    const at = tape.blockOfRow(row);
+    const index = at >= 0 ? at + direction : blockFromRow(tape, row, direction);
+    return index < 0 ? null : (tape.block(index)?.rows[0] ?? null);
+  },
+
+  /**
+   * Where there is something to be seen of a tape: the block of its first span, else of the first word.
+   * @param {Tape} tape
+   */
+  sight(tape) {
+    const span = tape.span(0);
+    return tape.block(span === null ? 0 : span.blocks[0])?.from ?? 0;
+  },
+
   /** @param {Tape} tape @param {number} index */
   block: (tape, index) => tape.block(index),
 };
+
+/**
+ * The nearest block from a row that belongs to none, -1 if there is none in that direction.
+ * @param {Tape} tape
+ * @param {number} row
+ * @param {1 | -1} direction
+ */
+function blockFromRow(tape, row, direction) {
+  if (row < 0) return direction > 0 && tape.block(0) !== null ? 0 : -1;
+  const ROWS = 1024;
+  for (let first = direction > 0 ? row : row - ROWS + 1; ; first += direction * ROWS) {
+    const start = Math.max(0, first);
+    const { blocks } = tape.rows(start, first + ROWS - start);
+    const found = (direction > 0 ? blocks : blocks.slice().reverse()).find((index) => index >= 0);
+    if (found !== undefined) return found;
+    if (first <= 0 && direction < 0) return -1;
+    if (blocks.length === 0) return -1;
+  }
+}
 
 /**
  * The first block that touches a stretch of text, -1 if none does.

@@ -1,6 +1,7 @@
 // The worker owns the wasm and the one live tape. It answers in the order in which it is asked.
 import init, * as nctape from 'nctape';
 import { questions } from './questions.js';
+import { timed } from './timing.js';
 
 /** @typedef {{ summary: import('nctape').Summary, here: import('./store.js').Here }} Change */
 
@@ -114,7 +115,7 @@ onmessage = async ({ data }) => {
     return;
   }
   try {
-    const value = await answer(data);
+    const value = await timed(`nctape.${data.name}`, () => answer(data));
     postMessage({ id: data.id, value });
   } catch (error) {
     const message = error instanceof Error ? error.message : String(error);

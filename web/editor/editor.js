@@ -3,17 +3,21 @@ import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
 import { Annotation, EditorState, Transaction } from '@codemirror/state';
 import { drawSelection, EditorView, highlightSpecialChars, keymap } from '@codemirror/view';
 import sharedStyle from '../style/shared.css?inline';
-import { formatField, formatWithUndo, setFormat } from './format-field.js';
+import { formatField, formatWithUndo, setFormat, undoTo } from './format-field.js';
 import { blockGutter } from './gutter.js';
 import { litField } from './lit.js';
 import { liveMarks, marksField } from './marks.js';
+import { closedParentheses } from './parentheses.js';
 import { theme } from './theme.js';
 import { problemTooltip } from './tooltip.js';
+import { typeOver } from './type-over.js';
 
 /** @typedef {import('nctape').Format} Format */
 /** @typedef {import('nctape').Diagnostic} Diagnostic */
 
-/** Which view moved the cursor, where it was not the editor. @type {import('@codemirror/state').AnnotationType<'tape' | 'path' | 'problems'>} */
+/** @typedef {'tape' | 'path' | 'problems' | 'paste'} Mover */
+
+/** Which view moved the cursor, where it was not the editor. @type {import('@codemirror/state').AnnotationType<Mover>} */
 export const movedBy = Annotation.define();
 
 /**
@@ -44,6 +48,8 @@ export function makeEditor({ host, format, kinds, ask, card, goToProblem, leave,
       extensions: [
         formatWithUndo(format),
         history(),
+        closedParentheses,
+        typeOver,
         drawSelection(),
         highlightSpecialChars(),
         EditorState.tabSize.of(10),
@@ -88,6 +94,22 @@ export const currentFormat = (view) => view.state.field(formatField);
 export const changeFormat = (view, format) => view.dispatch({ effects: setFormat.of(format), userEvent: 'input.format' });
 
 /**
+ * Changes the format as a hand that is still moving does: undo knows nothing of it.
+ * @param {EditorView} view
+ * @param {Format} format
+ */
+export const tryFormat = (view, format) =>
+  view.dispatch({ effects: setFormat.of(format), annotations: Transaction.addToHistory.of(false) });
+
+/**
+ * The hand has come to rest: what it tried is undone as one, back to where it began.
+ * @param {EditorView} view
+ * @param {Format} began
+ */
+export const keepFormat = (view, began) =>
+  view.dispatch({ effects: setFormat.of(currentFormat(view)), annotations: undoTo.of(began), userEvent: 'input.format' });
+
+/**
  * Replaces the text and the format, undone as one; the first tape cannot be undone.
  * @param {EditorView} view
  * @param {{ source: string, format: Format, cursor: number }} tape
@@ -107,7 +129,7 @@ export function replaceAll(view, { source, format, cursor }, { isFirst = false }
  * Puts the cursor where another view points, and brings it into sight.
  * @param {EditorView} view
  * @param {number} offset
- * @param {'tape' | 'path' | 'problems'} by
+ * @param {Mover} by
  * @param {number} [to]  end of a selection
  */
 export function moveCursor(view, offset, by, to = offset) {

@@ -1,11 +1,14 @@
 // The format lives beside the text in the editor's state, so that one undo takes back both.
 import { invertedEffects } from '@codemirror/commands';
-import { StateEffect, StateField } from '@codemirror/state';
+import { Annotation, StateEffect, StateField } from '@codemirror/state';
 
 /** @typedef {import('nctape').Format} Format */
 
 /** @type {import('@codemirror/state').StateEffectType<Format>} */
 export const setFormat = StateEffect.define();
+
+/** What undo goes back to, where that is not the format just before. @type {import('@codemirror/state').AnnotationType<Format>} */
+export const undoTo = Annotation.define();
 
 /** @type {StateField<Format>} */
 export const formatField = StateField.define({
@@ -23,7 +26,7 @@ export const formatWithUndo = (format) => [
   formatField.init(() => format),
   invertedEffects.of((transaction) =>
     transaction.effects.some((effect) => effect.is(setFormat))
-      ? [setFormat.of(transaction.startState.field(formatField))]
+      ? [setFormat.of(transaction.annotation(undoTo) ?? transaction.startState.field(formatField))]
       : [],
   ),
 ];

@@ -1,6 +1,7 @@
 // What the engine says about the visible text, kept in place while the user types ahead of it.
 import { RangeSet, StateEffect, StateField } from '@codemirror/state';
 import { Decoration, EditorView, ViewPlugin } from '@codemirror/view';
+import { timed } from '../timing.js';
 import { BlockMarker } from './gutter.js';
 
 /** @typedef {import('nctape').Diagnostic} Diagnostic */
@@ -70,7 +71,7 @@ export function liveMarks(ask, kinds) {
       const doc = view.state.doc;
       const listing = await ask(from, to);
       if (listing === undefined || view.state.doc !== doc) return;
-      view.dispatch({ effects: setMarks.of(marksFor(listing, doc, kinds)) });
+      timed('nctape.marks', () => view.dispatch({ effects: setMarks.of(marksFor(listing, doc, kinds)) }));
     };
     return {
       refresh,

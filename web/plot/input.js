@@ -1,4 +1,5 @@
 // The hand on the picture: drag to move, wheel and pinch to come nearer, point and press to read.
+import { onKeys } from '../dom.js';
 
 /**
  * @typedef {object} PlotHand
@@ -77,13 +78,7 @@ export function listenToPlotHand(canvas, hand) {
     },
     { passive: false },
   );
-  canvas.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const deed = keyDeed(event.key, hand);
-    if (deed === null) return;
-    event.preventDefault();
-    deed();
-  });
+  onKeys(canvas, (key) => keyDeed(key, hand));
 }
 
 /**

@@ -1,12 +1,13 @@
 // The path of the tool, in one plane.
 import { button, byId, el, onceAFrame } from '../dom.js';
 import { palette } from '../palette.js';
+import { timed } from '../timing.js';
 import { drawConstruction } from './construction.js';
 import { drawLit, drawPath, drawStart } from './draw.js';
 import { drawGrid } from './grid.js';
 import { spanAt } from './hit.js';
 import { listenToPlotHand } from './input.js';
-import { AXES, isAnotherSize, PLANES, View } from './view.js';
+import { AXES, isAnotherSize, isSeen, PLANES, View } from './view.js';
 import { spanCaption, spanLine, spanRows } from './words.js';
 
 /** @typedef {import('../store.js').Store} Store */
@@ -38,6 +39,8 @@ export function makePlot({ store, engine, kinds, onBlock }) {
   let tolerance = Infinity;
   let baseIsTrue = false;
   let fitted = false;
+  /** The picture was moved by hand: it stays as it was put until the tape is another one. */
+  let held = false;
   /** The tape has changed and its path is not here yet: the picture stays until it is. */
   let stale = false;
   /** The format was changed since the last path, which may make all lengths others. */
@@ -75,6 +78,7 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     if (summary === null) return;
     view.fit(summary.bounds);
     fitted = true;
+    held = false;
     redrawAll();
     void refine();
   }
@@ -114,8 +118,13 @@ export function makePlot({ store, engine, kinds, onBlock }) {
   }
 
   function draw() {
-    const { summary, here, pointed, theme } = store.state;
-    if (summary === null || stale || canvas.width === 0) return;
+    const { summary } = store.state;
+    if (summary !== null && !stale && canvas.width > 0) timed('nctape.plot', () => drawAll(summary));
+  }
+
+  /** @param {import('nctape').Summary} summary */
+  function drawAll(summary) {
+    const { here, pointed, theme } = store.state;
     const colours = palette(theme);
     const font = getComputedStyle(document.documentElement).getPropertyValue('--mono');
     if (!baseIsTrue) {
@@ -173,16 +182,25 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     readout.textContent = spanLine(found.span, found.block, summary);
   }
 
+  /**
+   * @param {number} factor
+   * @param {number} [x]
+   * @param {number} [y]
+   */
+  function zoom(factor, x, y) {
+    held = true;
+    view.zoomBy(factor, x, y);
+    redrawAll();
+    void refine();
+  }
+
   listenToPlotHand(canvas, {
     pan(x, y) {
+      held = true;
       view.panBy(x, y);
       redrawAll();
     },
-    zoom(factor, x, y) {
-      view.zoomBy(factor, x, y);
-      redrawAll();
-      void refine();
-    },
+    zoom,
     fit,
     point(x, y) {
       store.set({ pointed: path === null ? null : spanAt(view, path, x, y) });
@@ -202,8 +220,8 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     if (block) onBlock(block.from);
   }
 
-  byId('zoom-in', HTMLElement).addEventListener('click', () => (view.zoomBy(1.25), redrawAll(), refine()));
-  byId('zoom-out', HTMLElement).addEventListener('click', () => (view.zoomBy(0.8), redrawAll()));
+  byId('zoom-in', HTMLElement).addEventListener('click', () => zoom(1.25));
+  byId('zoom-out', HTMLElement).addEventListener('click', () => zoom(0.8));
   byId('zoom-fit', HTMLElement).addEventListener('click', fit);
 
   const planes = byId('planes', HTMLElement);
@@ -239,7 +257,13 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     reformatted = true;
   });
   store.on(['summary'], ({ whole, summary }) => {
-    if (whole || (reformatted && isAnotherSize(bounds, summary?.bounds ?? null))) fitted = false;
+    const next = summary?.bounds ?? null;
+    if (whole || (reformatted && isAnotherSize(bounds, next))) {
+      fitted = false;
+      held = false;
+    }
+    // A path that grows out of the picture, as while a tape is typed from nothing.
+    if (!held && !isSeen(view, next)) fitted = false;
     reformatted = false;
     namePlanes();
     tellHere();

@@ -104,6 +104,19 @@ export class View {
 }
 
 /**
+ * All within the bounds is in the picture, and no smaller than a fifth of it.
+ * @param {View} view
+ * @param {Bounds} bounds
+ */
+export function isSeen(view, bounds) {
+  if (bounds === null) return true;
+  const [left, bottom] = view.toScreen(bounds.min);
+  const [right, top] = view.toScreen(bounds.max);
+  const inside = left >= 0 && right <= view.width && top >= 0 && bottom <= view.height;
+  return inside && (right - left > view.width / 5 || bottom - top > view.height / 5);
+}
+
+/**
  * One is so much larger than the other that a view of the one shows nothing of the other.
  * @param {Bounds} one
  * @param {Bounds} other

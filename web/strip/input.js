@@ -1,4 +1,5 @@
 // The hand on the tape: drag, wheel, keys. Distances are told in rows.
+import { onKeys } from '../dom.js';
 
 /**
  * @typedef {object} Hand
@@ -18,13 +19,7 @@
 export function listenToHand(strip, hand) {
   dragging(strip, hand);
   wheeling(strip, hand);
-  strip.addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey) return;
-    const deed = keyDeed(event.key, hand);
-    if (deed === null) return;
-    event.preventDefault();
-    deed();
-  });
+  onKeys(strip, (key) => keyDeed(key, hand));
 }
 
 /**

@@ -1,6 +1,7 @@
 // The tape under the reader head.
 import { byId, lessMotion, onceAFrame } from '../dom.js';
 import { palette } from '../palette.js';
+import { timed } from '../timing.js';
 import { listed, whole } from '../words.js';
 import { drawStrip, stripHeight } from './draw.js';
 import { listenToHand } from './input.js';
@@ -75,7 +76,7 @@ export function makeStrip({ store, engine, kinds, onRow }) {
     const half = canvas.width / ratio / pitch / 2 + 16;
     windows.want(Math.floor(position - half), Math.min(rows() - 1, Math.ceil(position + half)));
     const block = store.state.here?.block ?? null;
-    drawStrip(context, {
+    const picture = {
       sheet,
       windows,
       meanings,
@@ -86,7 +87,8 @@ export function makeStrip({ store, engine, kinds, onRow }) {
       position,
       lit: block === null ? null : block.rows,
       ratio,
-    });
+    };
+    timed('nctape.strip', () => drawStrip(context, picture));
   }
 
   /** The character under the head, told once its row is here. */
@@ -149,13 +151,10 @@ export function makeStrip({ store, engine, kinds, onRow }) {
       reach(row);
     },
     async goToBlock(direction) {
-      const at = windows.row(Math.round(position))?.block ?? -1;
-      if (direction < 0 && at <= 0) {
-        this.go(0);
-        return;
-      }
-      const block = await engine.ask('block', Math.max(0, at + direction));
-      if (block) this.go(block.rows[0]);
+      const row = Math.round(position);
+      const found = await engine.ask('blockBeside', row, direction);
+      if (found === undefined) return;
+      this.go(found ?? (direction < 0 ? 0 : Math.max(row, rows() - 1)));
     },
   });
 

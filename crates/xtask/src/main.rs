@@ -13,7 +13,7 @@ mod workspace;
 
 use std::process::ExitCode;
 
-use commands::{build, serve, test};
+use commands::{bench, build, serve, test};
 use workspace::Workspace;
 
 /// What went wrong, in a plain sentence that says what was found and what to do about it.
@@ -40,6 +40,7 @@ fn dispatch(args: &[String]) -> Result<ExitCode, Trouble> {
         "serve" => serve::command(&workspace, rest),
         "test" => test::command(&workspace, rest),
         "build" => build::command(&workspace, rest),
+        "bench" => bench::command(&workspace, rest),
         "help" | "--help" | "-h" => {
             println!("{}", usage());
             Ok(ExitCode::SUCCESS)
@@ -58,6 +59,7 @@ fn usage() -> String {
 cargo xtask serve [--port N] [--no-open]   build the page and serve it on this machine
 cargo xtask test [suite…]                  run every check, or only the suites named
 cargo xtask build                          leave the npm package in pkg/ and the site in dist/
+cargo xtask bench                          measure the page in a browser; `cargo bench` measures the core
 
 Suites: {}
 Each command installs what it needs. Tools that are built from source are kept in

@@ -106,7 +106,7 @@ export async function quiet(page) {
  * @param {string} text
  */
 export async function paste(page, text) {
-  await page.locator('.cm-content').click();
+  await page.locator('.cm-content').focus();
   await page.keyboard.press('Control+a');
   await page.evaluate((pasted) => {
     const data = new DataTransfer();
