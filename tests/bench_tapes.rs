@@ -13,7 +13,7 @@ use std::collections::BTreeSet;
 fn the_contour_is_clean_and_every_block_of_it_cuts() {
     for blocks in [1, 10, 1000] {
         let tape = Tape::new(&tapes::contour(blocks).tape, &tapes::format());
-        let found: Vec<_> = tape.diagnostics().iter().filter(|found| found.severity > Severity::Info).collect();
+        let found: Vec<_> = tape.diagnostics().into_iter().filter(|found| found.severity > Severity::Info).collect();
         assert!(found.is_empty(), "{found:?}");
         assert_eq!(tape.reading().blocks.len(), blocks);
         assert_eq!(tape.spans().list.len(), blocks);
@@ -26,7 +26,7 @@ fn the_contour_is_clean_and_every_block_of_it_cuts() {
 fn the_peers_read_the_same_words() {
     let contour = tapes::contour(1000);
     let tape = Tape::new(&contour.tape, &tapes::format());
-    let words = tape.reading().words.len();
+    let words = tape.reading().word_count();
     assert_eq!(words, 6 * 1000 + 1);
     assert_eq!(peers::nom_gcode(&contour.decimal), (1000, words));
     assert_eq!(peers::gcode_tree(&contour.decimal), (1000, words));
@@ -42,7 +42,7 @@ fn the_peers_read_the_same_words() {
 fn one_block_of_a_hundred_of_the_mixed_tape_is_faulty() {
     let text = tapes::mixed(3000);
     let tape = Tape::new(&text, &tapes::format());
-    let found: Vec<_> = tape.diagnostics().iter().filter(|found| found.severity > Severity::Info).collect();
+    let found: Vec<_> = tape.diagnostics().into_iter().filter(|found| found.severity > Severity::Info).collect();
     let blocks: BTreeSet<_> = found.iter().filter_map(|found| tape.reading().block_at(found.range.start)).collect();
     assert_eq!(blocks, (0..30).map(|hundred| 100 * hundred + 49).collect());
     let rules: BTreeSet<_> =

@@ -124,7 +124,7 @@ fn report(text: &str, format: &Format) -> String {
         out,
         "blocks: {}, words: {}",
         reading.blocks.len(),
-        reading.blocks.iter().map(|block| reading.words(block).len()).sum::<usize>()
+        reading.word_count()
     )
     .unwrap();
     writeln!(out, "spans: {}", if counts.is_empty() { "none".to_owned() } else { counts.join(", ") }).unwrap();

@@ -53,6 +53,11 @@ impl Reading {
         &self.words[block.words.start as usize..block.words.end as usize]
     }
 
+    /// How many words the blocks have.
+    pub fn word_count(&self) -> usize {
+        self.blocks.iter().map(|block| block.words.len()).sum()
+    }
+
     /// Where a word of a block stands in the text.
     pub fn range(&self, block: &Block, word: &Word) -> Range<usize> {
         block.range.start + word.range().start..block.range.start + word.range().end
