@@ -47,6 +47,19 @@ fn dump(tape: &Tape) -> String {
     out
 }
 
+/// The spans that are said to be kept are what they were, but for the numbers of their blocks.
+fn assert_kept(before: &Tape, after: &Tape) {
+    let kept = after.last_kept();
+    let path = |tape: &Tape, spans: std::ops::Range<usize>| {
+        let start = spans.start as u32;
+        let points = tape.points_of(spans, 0.01);
+        (points.xyz, points.span.iter().map(|span| span - start).collect::<Vec<_>>())
+    };
+    let (old, new) = (before.spans().list.len(), after.spans().list.len());
+    assert_eq!(path(before, 0..kept.first), path(after, 0..kept.first));
+    assert_eq!(path(before, old - kept.last..old), path(after, new - kept.last..new));
+}
+
 /// The bytes of a stretch of UTF-16 code units; a half of a pair counts as the whole one.
 fn bytes(text: &str, from: usize, to: usize) -> std::ops::Range<usize> {
     let units = text.chars().scan(0, |unit, c| Some(std::mem::replace(unit, *unit + c.len_utf16())));
@@ -61,6 +74,7 @@ fn edited(seed: u64, count: usize, first: &str) {
     let (mut format, mut skip) = (&formats[seed as usize % 4], false);
     let mut tape = Tape::with_skip(first, format, skip);
     for turn in 0..count {
+        let before = tape.clone();
         match numbers.below(40) {
             0 => {
                 format = &formats[numbers.below(4)];
@@ -78,6 +92,7 @@ fn edited(seed: u64, count: usize, first: &str) {
             }
         }
         let fresh = Tape::with_skip(tape.text(), format, skip);
+        assert_kept(&before, &tape);
         assert_eq!(dump(&tape), dump(&fresh), "seed {seed}, turn {turn}, of {:?}", tape.text());
     }
 }

@@ -5,7 +5,7 @@ use crate::functions::{points_to_js, set};
 use crate::offsets::Offsets;
 use crate::report::{self, BlockView, TotalsView};
 use crate::value::to_js;
-use nctape::{Severity, Tape as CoreTape};
+use nctape::{Kept, Severity, Tape as CoreTape};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -15,6 +15,15 @@ pub struct Tape {
     tape: CoreTape,
     offsets: Offsets,
     edit: u32,
+    drawn: Option<Drawn>,
+}
+
+/// The path that was asked for last, and what of it still holds.
+#[derive(Clone, Copy)]
+struct Drawn {
+    tolerance: f64,
+    kept: Kept,
+    blocks: usize,
 }
 
 #[derive(Serialize)]
@@ -62,7 +71,7 @@ impl Tape {
         let (format, _) = argument::format(format)?;
         let options = argument::options(options)?;
         let tape = CoreTape::with_skip(&source, &format, options.skip);
-        Ok(Tape { tape, offsets: Offsets::new(&source), edit: 0 })
+        Ok(Tape { tape, offsets: Offsets::new(&source), edit: 0, drawn: None })
     }
 
     /// Replaces the text between two offsets; answers the number of the edit.
@@ -77,6 +86,11 @@ impl Tape {
         let text = format!("{}{insert}{}", half(splits_start), half(splits_end));
         self.tape.edit(start..end, &text);
         self.offsets.edit(self.tape.text(), start, end - start, text.len());
+        if let Some(drawn) = &mut self.drawn {
+            let kept = self.tape.last_kept();
+            drawn.kept.first = drawn.kept.first.min(kept.first);
+            drawn.kept.last = drawn.kept.last.min(kept.last);
+        }
         self.next_edit()
     }
 
@@ -88,6 +102,7 @@ impl Tape {
     ) -> Result<u32, JsValue> {
         let (format, _) = argument::format(format)?;
         self.tape.set_format(&format);
+        self.drawn = None;
         Ok(self.next_edit())
     }
 
@@ -95,6 +110,7 @@ impl Tape {
     #[wasm_bindgen(js_name = setSkip)]
     pub fn set_skip(&mut self, on: bool) -> u32 {
         self.tape.set_skip(on);
+        self.drawn = None;
         self.next_edit()
     }
 
@@ -206,17 +222,49 @@ impl Tape {
     /// The flattened path with what drawing needs; the tolerance is a length above zero in the unit of the format.
     #[wasm_bindgen(unchecked_return_type = "Path")]
     pub fn path(
-        &self,
+        &mut self,
         #[wasm_bindgen(unchecked_param_type = "number")] tolerance: &JsValue,
     ) -> Result<JsValue, JsValue> {
-        let spans = &self.tape.spans().list;
-        let object = points_to_js(&self.tape.points(argument::tolerance(tolerance)?));
+        let tolerance = argument::tolerance(tolerance)?;
+        Ok(self.path_of(Kept::default(), tolerance).into())
+    }
+
+    /// What has changed of the path since it was asked for last under this tolerance: all of it, if it never was, or if
+    /// the format or the switch has changed.
+    #[wasm_bindgen(js_name = pathChange, unchecked_return_type = "PathChange")]
+    pub fn path_change(
+        &mut self,
+        #[wasm_bindgen(unchecked_param_type = "number")] tolerance: &JsValue,
+    ) -> Result<JsValue, JsValue> {
+        let tolerance = argument::tolerance(tolerance)?;
+        let drawn = self.drawn.filter(|drawn| drawn.tolerance == tolerance);
+        let kept = drawn.map_or(Kept::default(), |drawn| drawn.kept);
+        let blocks = self.tape.reading().blocks.len();
+        let shift = blocks as f64 - drawn.map_or(blocks, |drawn| drawn.blocks) as f64;
+        // Where nothing was edited, all stands at either end.
+        let count = self.tape.spans().list.len();
+        let kept = Kept { last: kept.last.min(count - kept.first), ..kept };
+        let object = self.path_of(kept, tolerance);
+        set(&object, "first", &(kept.first as u32).into());
+        set(&object, "last", &(kept.last as u32).into());
+        set(&object, "shift", &shift.into());
+        Ok(object.into())
+    }
+
+    /// The path of the spans between those that are kept.
+    fn path_of(&mut self, kept: Kept, tolerance: f64) -> js_sys::Object {
+        let count = self.tape.spans().list.len();
+        self.drawn =
+            Some(Drawn { tolerance, kept: Kept { first: count, last: count }, blocks: self.tape.reading().blocks.len() });
+        let range = kept.first..count - kept.last;
+        let spans = &self.tape.spans().list[range.clone()];
+        let object = points_to_js(&self.tape.points_of(range, tolerance));
         let kinds: Vec<u8> = spans.iter().map(|span| span.kind.index() as u8 + 1).collect();
         let substitutes: Vec<u8> = spans.iter().map(|span| u8::from(span.substitute)).collect();
         let blocks: Vec<u32> = spans.iter().flat_map(|span| [span.blocks.0 as u32, span.blocks.1 as u32]).collect();
         set(&object, "kinds", &js_sys::Uint8Array::from(kinds.as_slice()));
         set(&object, "substitutes", &js_sys::Uint8Array::from(substitutes.as_slice()));
         set(&object, "blocks", &js_sys::Uint32Array::from(blocks.as_slice()));
-        Ok(object.into())
+        object
     }
 }

@@ -277,3 +277,13 @@ export interface Path extends Points {
   /** First and last block of each span, two entries a span. */
   blocks: Uint32Array;
 }
+
+/** What has changed of a path: the spans between those that are kept. `span` counts as in the whole path. */
+export interface PathChange extends Path {
+  /** So many spans at the start are kept. */
+  first: number;
+  /** So many spans at the end are kept. */
+  last: number;
+  /** By how much the blocks of the last ones have other numbers. */
+  shift: number;
+}

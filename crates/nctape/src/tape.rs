@@ -2,7 +2,7 @@
 
 use crate::code::Rows;
 use crate::diagnostic::{Diagnostic, Severity, Sink};
-use crate::execute::{Bounds, Execution, Totals, execute};
+use crate::execute::{Bounds, Execution, Kept, Totals, execute};
 use crate::flatten::{Points, flatten};
 use crate::format::{Control, Format, Standard};
 use crate::read::{Block, Change, Reading, Word, number, read};
@@ -195,7 +195,18 @@ impl Tape {
 
     /// The path as points, within a tolerance.
     pub fn points(&self, tolerance: f64) -> Points {
-        flatten(self.spans(), tolerance)
+        self.points_of(0..self.spans().list.len(), tolerance)
+    }
+
+    /// The points of some spans, within a tolerance.
+    pub fn points_of(&self, spans: Range<usize>, tolerance: f64) -> Points {
+        flatten(&self.spans().list, spans, tolerance)
+    }
+
+    /// Which spans the last edit has left as they were, but for the numbers of their blocks. What was drawn of them may
+    /// stand.
+    pub fn last_kept(&self) -> Kept {
+        self.execution.last_kept()
     }
 
     /// The sequence number word of a block as written, blanks left out; `None` where there is none.

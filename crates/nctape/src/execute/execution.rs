@@ -35,6 +35,16 @@ pub struct Execution {
     pub(crate) held: Vec<(usize, Held)>,
     marks: Vec<Mark>,
     last_executed: usize,
+    last_kept: Kept,
+}
+
+/// Which spans an edit has left as they were, but for the numbers of their blocks: so many at the start and at the end.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Kept {
+    /// So many of the first ones.
+    pub first: usize,
+    /// So many of the last ones.
+    pub last: usize,
 }
 
 /// Executes what was read. `skip` is the position of the optional block skip switch.
@@ -58,11 +68,13 @@ impl Execution {
         let met = run.until(&self.marks[old..], shift).map(|met| old + met);
         self.last_executed = run.index - start.map_or(0, |mark| mark.block);
 
+        let spans_before = self.spans.list.len();
         let met_mark = met.map(|met| self.marks[met]);
         let end = met_mark.map_or(self.lengths(), |mark| mark.lengths);
         let added = run.lengths();
         let Run { state, unreached, ends, held, mut marks, .. } = run;
         self.spans.splice(base.spans..end.spans, state.spans);
+        self.last_kept = Kept { first: base.spans, last: spans_before - end.spans };
         self.events.splice(base.events..end.events, state.events);
         self.unreached.splice(base.unreached..end.unreached, unreached);
         self.ends.splice(base.ends..end.ends, ends);
@@ -119,6 +131,11 @@ impl Execution {
             ends: self.ends.len(),
             held: self.held.len(),
         }
+    }
+
+    /// Which spans the last edit has left as they were; none at first.
+    pub(crate) fn last_kept(&self) -> Kept {
+        self.last_kept
     }
 
     /// How many blocks were executed by the last edit, or at first.

@@ -5,7 +5,8 @@
 mod arc;
 mod parabola;
 
-use crate::span::{Geometry, Span, Spans};
+use crate::span::{Geometry, Span};
+use std::ops::Range;
 
 /// The most chords of one span. It is beyond what any picture shows: on a full circle it keeps a tolerance of
 /// 1,1e-9 radii. A finer tolerance is not kept; without a limit a radius of a few kilometres and a tolerance of a
@@ -25,11 +26,11 @@ pub struct Points {
     pub span: Vec<u32>,
 }
 
-/// Flattens spans. No point of a curve is further from its polyline than `tolerance`, a positive length in the unit
+/// Flattens some of the spans. No point of a curve is further from its polyline than `tolerance`, a positive length in the unit
 /// of the format.
-pub fn flatten(spans: &Spans, tolerance: f64) -> Points {
+pub fn flatten(spans: &[Span], range: Range<usize>, tolerance: f64) -> Points {
     let mut points = Points::default();
-    for (index, span) in spans.list.iter().enumerate() {
+    for (index, span) in spans.iter().enumerate().take(range.end).skip(range.start) {
         let most = if points.span.len() < MOST_POINTS { MOST_CHORDS } else { 1 };
         flatten_span(span, tolerance, most, &mut |point| {
             points.xyz.extend_from_slice(&point);
