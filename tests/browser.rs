@@ -2,6 +2,9 @@
 
 #![cfg(target_arch = "wasm32")]
 
+#[path = "support/edits.rs"]
+mod edits;
+
 use js_sys::{Array, Float64Array, Object, Reflect, Uint32Array};
 use nctape_wasm as api;
 use wasm_bindgen::{JsCast, JsValue};
@@ -289,5 +292,46 @@ fn no_text_and_no_format_makes_any_function_fail() {
         tape.path(&0.1.into()).expect("no malformed argument");
         (0..number(&summary, "blocks") as u32).for_each(|index| drop(tape.block(index)));
         (0..number(&summary, "spans") as u32).for_each(|index| drop(tape.span(index)));
+    }
+}
+
+#[wasm_bindgen_test]
+fn after_each_of_a_thousand_edits_a_tape_equals_a_fresh_one() {
+    for seed in 0..20 {
+        edits::edited(seed, 50, &edits::tape(30));
+    }
+}
+
+/// All that the interface tells of a live tape, but for the number of its edit.
+fn told(tape: &mut api::Tape) -> String {
+    let summary = tape.summary();
+    let blocks = number(&summary, "blocks") as u32;
+    let tolerance = JsValue::from(0.01);
+    let parts = Array::of4(
+        &Array::from_iter((0..blocks).map(|index| tape.block(index))),
+        &tape.diagnostics(0, u32::MAX, u32::MAX),
+        &tape.rows(0, u32::MAX),
+        &tape.path(&tolerance).expect("a tolerance"),
+    );
+    Reflect::set(&summary, &"edit".into(), &JsValue::NULL).expect("an object");
+    parts.push(&summary);
+    js_sys::JSON::stringify(&parts).expect("plain values").into()
+}
+
+#[wasm_bindgen_test]
+fn edits_count_in_code_units_even_between_the_halves_of_a_pair() {
+    let format = get(&preset("annex-e-circular"), "format");
+    let open = |text: &js_sys::JsString| api::Tape::new(text, &format, &JsValue::UNDEFINED).expect("a format");
+    let mut numbers = edits::Numbers::new(16);
+    let mut text = js_sys::JsString::from(edits::tape(20));
+    let mut tape = open(&text);
+    for turn in 0..200 {
+        let (from, to, insert) = edits::edit(&mut numbers, text.length() as usize);
+        let (from, to) = (from as u32, to as u32);
+        tape.edit(from, to, insert);
+        text = text.slice(0, from).concat(&insert.into()).concat(&text.slice(to, text.length()));
+        // What is left of a pair is U+FFFD, here and there.
+        text = String::from_utf16_lossy(&text.iter().collect::<Vec<u16>>()).into();
+        assert_eq!(told(&mut tape), told(&mut open(&text)), "turn {turn}");
     }
 }

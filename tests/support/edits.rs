@@ -1,6 +1,10 @@
 //! Random edits of a tape where edits are awkward: inside CR LF, `*` with a line end, words, comments and surrogate
 //! pairs; parentheses that open and close; whole stretches that go.
 
+use nctape::format::Dimensions;
+use nctape::{Format, Standard, Tape};
+use std::fmt::Write;
+
 /// Numbers without a pattern that are the same in every run: SplitMix64 (Steele, Lea and Flood, 2014).
 pub struct Numbers(u64);
 
@@ -105,4 +109,95 @@ pub fn tape(blocks: usize) -> String {
     }
     text.push_str("N999 M30\n");
     text
+}
+
+/// Controls that read the same text in different ways.
+pub fn formats() -> [Format; 4] {
+    let mut incremental =
+        Format::new(Standard::Iso2539, "N3.G2.XL42.YL42.ZL42.IL42.JL42.F4.T2.M2*").classified("CSM 332");
+    incremental.itemized.dimensions = Some(Dimensions::Incremental);
+    [
+        Format::new(Standard::Iso2539, "N3G2X+42Y+42I+42J+42F4T2M2*").classified("CAM 222"),
+        incremental,
+        Format::new(Standard::Iso1058, "N3.G2.X+42.Y+42.F2.T2.M2*").classified("PTM 222"),
+        Format::new(Standard::Rs274, "n3 g2 x+14 y+14 i+14 j+14 f21 m2*"),
+    ]
+}
+
+/// All that can be asked of a tape.
+pub fn dump(tape: &Tape) -> String {
+    let mut out = String::new();
+    let reading = tape.reading();
+    for block in &reading.blocks {
+        let words = reading.words(block);
+        writeln!(out, "{:?} {} {} {:?} {words:?}", block.range, block.skip, block.program, tape.rows_of(block))
+            .unwrap();
+    }
+    let rows = tape.rows();
+    assert_eq!(rows.bytes.len(), reading.row_count());
+    for program in reading.programs() {
+        writeln!(out, "{program:?}").unwrap();
+    }
+    for found in tape.diagnostics() {
+        let fixes: Vec<_> = found.fixes.iter().map(|fix| (&fix.title, &fix.edits)).collect();
+        writeln!(out, "{} {:?} {} {} {:?} {fixes:?}", found.id, found.range, found.count, found.message, found.related)
+            .unwrap();
+    }
+    for index in 0..tape.spans().list.len() {
+        let (start, end) = (tape.spans().start(index), tape.spans().end(index));
+        writeln!(out, "{:?} {start:?} {end:?}", tape.spans().list[index]).unwrap();
+    }
+    writeln!(out, "{:?} {:?} {rows:?}", tape.totals(), tape.bounds()).unwrap();
+    out
+}
+
+/// The spans that are said to be kept are what they were, but for the numbers of their blocks.
+fn assert_kept(before: &Tape, after: &Tape) {
+    let kept = after.last_kept();
+    let path = |tape: &Tape, spans: std::ops::Range<usize>| {
+        let start = spans.start as u32;
+        let points = tape.points_of(spans, 0.01);
+        (points.xyz, points.span.iter().map(|span| span - start).collect::<Vec<_>>())
+    };
+    let (old, new) = (before.spans().list.len(), after.spans().list.len());
+    assert_eq!(path(before, 0..kept.first), path(after, 0..kept.first));
+    assert_eq!(path(before, old - kept.last..old), path(after, new - kept.last..new));
+}
+
+/// The bytes of a stretch of UTF-16 code units; a half of a pair counts as the whole one.
+fn bytes(text: &str, from: usize, to: usize) -> std::ops::Range<usize> {
+    let units = text.chars().scan(0, |unit, c| Some(std::mem::replace(unit, *unit + c.len_utf16())));
+    let places: Vec<(usize, usize)> = units.zip(text.char_indices().map(|(at, _)| at)).collect();
+    let byte = |unit: usize| places.get(places.partition_point(|it| it.0 < unit)).map_or(text.len(), |it| it.1);
+    byte(from)..byte(to).max(byte(from))
+}
+
+/// Edits a tape so many times, and holds it to a fresh one after each.
+pub fn edited(seed: u64, count: usize, first: &str) {
+    let mut numbers = Numbers::new(seed);
+    let formats = formats();
+    let (mut format, mut skip) = (&formats[seed as usize % 4], false);
+    let mut tape = Tape::with_skip(first, format, skip);
+    for turn in 0..count {
+        let before = tape.clone();
+        match numbers.below(40) {
+            0 => {
+                format = &formats[numbers.below(4)];
+                tape.set_format(format);
+            }
+            1 => {
+                skip = !skip;
+                tape.set_skip(skip);
+            }
+            _ => {
+                let length = tape.text().encode_utf16().count();
+                let (from, to, insert) = edit(&mut numbers, length);
+                let range = bytes(tape.text(), from, to);
+                tape.edit(range, insert);
+            }
+        }
+        let fresh = Tape::with_skip(tape.text(), format, skip);
+        assert_kept(&before, &tape);
+        assert_eq!(dump(&tape), dump(&fresh), "seed {seed}, turn {turn}, of {:?}", tape.text());
+    }
 }

@@ -254,8 +254,11 @@ impl Tape {
     /// The path of the spans between those that are kept.
     fn path_of(&mut self, kept: Kept, tolerance: f64) -> js_sys::Object {
         let count = self.tape.spans().list.len();
-        self.drawn =
-            Some(Drawn { tolerance, kept: Kept { first: count, last: count }, blocks: self.tape.reading().blocks.len() });
+        self.drawn = Some(Drawn {
+            tolerance,
+            kept: Kept { first: count, last: count },
+            blocks: self.tape.reading().blocks.len(),
+        });
         let range = kept.first..count - kept.last;
         let spans = &self.tape.spans().list[range.clone()];
         let object = points_to_js(&self.tape.points_of(range, tolerance));

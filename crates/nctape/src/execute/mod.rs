@@ -19,8 +19,8 @@ mod totals;
 
 pub(crate) use circle::ArcFault;
 pub(crate) use event::{Event, EventKind, Limit, ParameterReading};
-pub use execution::{Execution, Kept};
 pub(crate) use execution::execute;
+pub use execution::{Execution, Kept};
 pub(crate) use totals::Share;
 pub use totals::{Bounds, Totals};
 
