@@ -176,7 +176,9 @@ export function makePlayground({ store, engine, kinds, presets }) {
   // When the caller has the playground in hand, to which the engine's answer goes.
   queueMicrotask(() => {
     replaceAll(editor, first, { isFirst: true });
-    makeHints();
+    makeHints((view) => {
+      if (layout.narrow()) layout.showTab(view === 'plot' ? 'path' : 'program');
+    });
   });
 
   return {

@@ -1,7 +1,7 @@
 // The whole tape in numbers: the paper, the motion, the room that it takes.
 import { button, byId, el } from './dom.js';
 import { blockName } from './plot/words.js';
-import { coordinate, counted, feet, longLength, metres, time, whole } from './words.js';
+import { counted, feet, longLength, metres, shortCoordinate, time, whole } from './words.js';
 
 /** @typedef {import('nctape').Summary} Summary */
 /** @typedef {[name: string, value: string, ...Node[]]} Part */
@@ -49,9 +49,9 @@ export function makeTotals({ store, engine, openFormat, show }) {
       [
         ['Cutting', longLength(totals.cutting, unit)],
         ['Rapid', longLength(totals.rapid, unit)],
-        ['Machining', time(totals.seconds), ...why()],
+        ['Within', bounds === null ? 'no motion' : boxWords(bounds, summary)],
       ],
-      [['Within', bounds === null ? 'no motion' : boxWords(bounds, summary)]],
+      [['Machining', summary.spans === 0 ? 'no motion' : time(totals.seconds), ...why()]],
     ];
     box.replaceChildren(
       ...lines.map((parts) =>
@@ -77,11 +77,11 @@ export function makeTotals({ store, engine, openFormat, show }) {
 }
 
 /**
- * "X 10.000 to 85.000  Y 10.000 to 55.000 mm"
+ * "X 10 to 85  Y 10 to 55 mm"
  * @param {NonNullable<Summary['bounds']>} bounds
  * @param {Summary} summary
  */
 function boxWords({ min, max }, { axes, unit }) {
-  const sides = min.map((least, axis) => `${axes[axis] ?? '?'} ${coordinate(least, unit)} to ${coordinate(max[axis], unit)}`);
+  const sides = min.map((least, axis) => `${axes[axis] ?? '?'} ${shortCoordinate(least, unit)} to ${shortCoordinate(max[axis], unit)}`);
   return `${sides.join('  ')} ${unit === 'mm' ? 'mm' : 'in'}`;
 }

@@ -19,6 +19,13 @@ function fixed(value, places) {
 export const coordinate = (value, unit) => fixed(value, unit === 'mm' ? 3 : 4);
 
 /**
+ * The same without zeros at its end.
+ * @param {number} value
+ * @param {Unit} unit
+ */
+export const shortCoordinate = (value, unit) => trimmed(coordinate(value, unit));
+
+/**
  * @param {number} value
  * @param {Unit} unit
  */

@@ -300,7 +300,7 @@ test('the totals say what is known, and where to state what is not', async () =>
   // 417 rows of 2.54 mm, at 300 rows a second.
   assert.match(words, /12 blocks, 417 rows, 1\.06 m \(3\.5 ft\)/);
   assert.match(words, /Reading 1\.39 s at 300 rows\/s/);
-  assert.match(words, /Within X 10\.000 to 85\.000 +Y 10\.000 to 55\.000 +Z 10\.000 to 20\.000 mm/);
+  assert.match(words, /Within X 10 to 85 +Y 10 to 55 +Z 10 to 20 mm/);
   await goToLine(page, 'N003');
   for (let i = 0; i < 'N003\t'.length; i += 1) await page.keyboard.press('ArrowRight');
   await page.keyboard.type('G00');

@@ -70,12 +70,30 @@ export function drawStrip(context, picture) {
 function drawBareTape(context, { sheet, rows, leader, first, last, xOf, top }) {
   for (let row = Math.max(first, -leader.length - LEADER); row <= Math.min(last, rows - 1 + LEADER); row += 1) {
     if (row >= 0 && row < rows) continue;
-    const away = row < 0 ? Math.max(0, -row - leader.length) : row - rows + 1;
-    const left = LEADER - away;
-    context.globalAlpha = left >= FADE ? 1 : Math.max(0, left / FADE);
     putColumn(context, sheet, row < 0 ? (leader[leader.length + row] ?? 0) : 0, xOf(row), top);
   }
-  context.globalAlpha = 1;
+  fade(context, xOf(-leader.length - LEADER), xOf(-leader.length - LEADER + FADE));
+  fade(context, xOf(rows + LEADER), xOf(rows + LEADER - FADE));
+}
+
+/**
+ * Takes the tape away towards its end, without steps.
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} gone  where nothing is left
+ * @param {number} whole  where all is
+ */
+function fade(context, gone, whole) {
+  const { canvas } = context;
+  const left = Math.min(gone, whole);
+  const width = Math.abs(whole - gone);
+  if (left > canvas.width || left + width < 0) return;
+  const gradient = context.createLinearGradient(gone, 0, whole, 0);
+  gradient.addColorStop(0, 'rgb(0 0 0 / 100%)');
+  gradient.addColorStop(1, 'rgb(0 0 0 / 0%)');
+  context.globalCompositeOperation = 'destination-out';
+  context.fillStyle = gradient;
+  context.fillRect(left, 0, width, canvas.height);
+  context.globalCompositeOperation = 'source-over';
 }
 
 /**
