@@ -5,10 +5,11 @@ import { recall, remember } from './storage.js';
 const HINTS = [
   { by: 'strip', words: 'This is the tape that the program punches. Drag it under the reader head.' },
   { by: 'editor', words: 'Change a digit. The holes and the path follow at once, and what is wrong is underlined.' },
-  { by: 'plot', words: 'Click a piece of the path to find its block. What you are on is lit everywhere.' },
+  { by: 'plot', words: 'Press a piece of the path to find its block. What you are on is lit everywhere.' },
 ];
 
-export function makeHints() {
+/** @param {(view: string) => void} reveal  brings a view to the front where only one of them is seen */
+export function makeHints(reveal) {
   const card = byId('hint', HTMLElement);
   if (recall('hints') === 'done') return;
   let at = 0;
@@ -17,6 +18,7 @@ export function makeHints() {
     remember('hints', 'done');
     card.hidden = true;
     point(null);
+    reveal('editor');
   }
   /** @param {string | null} by  the view that the hint speaks of */
   function point(by) {
@@ -26,6 +28,7 @@ export function makeHints() {
     const { by, words } = HINTS[at];
     const last = at === HINTS.length - 1;
     point(by);
+    reveal(by);
     card.replaceChildren(
       el('p', null, words),
       el(

@@ -17,6 +17,7 @@ const store = new Store({
   pointed: null,
   chosen: null,
   whole: true,
+  leader: new Uint8Array(),
   skip: false,
   theme: startTheme(),
 });

@@ -4,6 +4,7 @@ import { makeDecimals } from './decimals.js';
 import { changeFormat, currentFormat, insertTab, keepFormat, makeEditor, movedBy, moveCursor, replaceAll, tryFormat } from './editor/editor.js';
 import { light } from './editor/lit.js';
 import { makeFormatPanel } from './format-panel/panel.js';
+import { makeFiles } from './files/files.js';
 import { makeHeader } from './header.js';
 import { makeHints } from './hints.js';
 import { makeLayout } from './layout.js';
@@ -14,6 +15,7 @@ import { problemCard } from './problem-card.js';
 import { makeProblems } from './problems.js';
 import { makeRulePage } from './rule-page.js';
 import { makeSkip } from './skip.js';
+import { makeName } from './strip/name.js';
 import { makeStrip } from './strip/strip.js';
 import { makeThemeButton } from './theme.js';
 import { makeTotals } from './totals.js';
@@ -61,8 +63,8 @@ export function makePlayground({ store, engine, kinds, presets }) {
 
   /** The text was replaced as a whole, and the engine has not answered yet. */
   let replaced = true;
-  /** It was replaced by a paste, which leaves the cursor behind the last line. */
-  let pasted = false;
+  /** It was replaced by a paste or a file, which leave the cursor where nothing is to be seen. */
+  let toSight = false;
   const { view: editor, refreshMarks } = makeEditor({
     host: byId('editor', HTMLElement),
     format: first.format,
@@ -87,7 +89,7 @@ export function makePlayground({ store, engine, kinds, presets }) {
     },
   });
   makeThemeButton(store);
-  makeLearn();
+  makeLearn(engine);
   /** @param {import('nctape').Format} format */
   const change = (format) => changeFormat(editor, format);
   const formatPanel = makeFormatPanel({ store, engine, text: () => editor.state.doc, change });
@@ -102,7 +104,20 @@ export function makePlayground({ store, engine, kinds, presets }) {
     keep: (began) => keepFormat(editor, began),
   });
   makeSkip({ store, engine, cursor: head });
-  makeTotals(store);
+  makeTotals({ store, engine, openFormat: (field) => void formatPanel.openAt(field), show: deeds.show });
+  makeName({ store, engine, text: () => editor.state.doc });
+  makeFiles({
+    store,
+    engine,
+    source: () => editor.state.doc.toString(),
+    load(tape) {
+      header.keep();
+      replaceAll(editor, tape);
+      toSight = true;
+    },
+    show: deeds.show,
+    openRule: deeds.openRule,
+  });
   byId('tab-key', HTMLElement).addEventListener('click', () => {
     insertTab(editor);
     editor.focus();
@@ -134,7 +149,7 @@ export function makePlayground({ store, engine, kinds, presets }) {
     changes.iterChangedRanges((from, to) => {
       if (from > 0 || to < startState.doc.length * 0.9) return;
       replaced = true;
-      pasted = transactions.some((one) => one.isUserEvent('input.paste'));
+      toSight = transactions.some((one) => one.isUserEvent('input.paste'));
     });
     problems.move(changes);
     header.name((source) => source.length === state.doc.length && source === state.doc.toString());
@@ -161,15 +176,17 @@ export function makePlayground({ store, engine, kinds, presets }) {
   // When the caller has the playground in hand, to which the engine's answer goes.
   queueMicrotask(() => {
     replaceAll(editor, first, { isFirst: true });
-    makeHints();
+    makeHints((view) => {
+      if (layout.narrow()) layout.showTab(view === 'plot' ? 'path' : 'program');
+    });
   });
 
   return {
     current: () => ({ source: editor.state.doc.toString(), format: currentFormat(editor), skip: store.state.skip, offset: head() }),
     changed({ summary, here }) {
       store.set({ summary, here, whole: replaced });
-      if (pasted) void goToSight();
-      replaced = pasted = false;
+      if (toSight) void goToSight();
+      replaced = toSight = false;
       // The cursor may have moved on while the engine was reading.
       if (here.offset !== head()) void locate();
     },

@@ -25,6 +25,8 @@
 const SEVERITIES = ['info', 'warning', 'error'];
 const MOST_LISTED = 500;
 const MOST_MARKS = 1000;
+/** So many spans are looked at for the first without a time: most have none from the first on. */
+const MOST_TIMED = 20_000;
 /** So many blocks tell whether a format fits. */
 const MOST_JUDGED = 500;
 
@@ -107,6 +109,19 @@ export const questions = {
     const end = judged === 0 ? 0 : (tape.block(judged - 1)?.to ?? 0);
     const errors = tape.diagnostics(0, end, 4 * MOST_JUDGED).filter(({ severity }) => severity === 'error');
     return new Set(errors.map(({ from }) => tape.blockAt(from))).size * 2 > judged;
+  },
+
+  /**
+   * The first span that moves in a time that is not known, with its block; null if none of the first is such a one.
+   * @param {Tape} tape
+   */
+  untimed(tape) {
+    for (let index = 0; index < MOST_TIMED; index += 1) {
+      const span = tape.span(index);
+      if (span === null) return null;
+      if (span.seconds === null && span.kind !== 'dwell') return { kind: span.kind, block: tape.block(span.blocks[0]) };
+    }
+    return null;
   },
 
   /** @param {Tape} tape @param {number} tolerance */

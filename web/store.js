@@ -24,6 +24,7 @@
  * @property {number | null} pointed  the span under the pointer in the plot
  * @property {{ from: number, to: number } | null} chosen  the range of the problem that was chosen last
  * @property {boolean} whole  the text was replaced as a whole: what is shown may be fitted anew
+ * @property {Uint8Array} leader  rows of letters for people before the program; none: none
  * @property {boolean} skip  the optional block skip switch is on
  * @property {'light' | 'dark'} theme
  */

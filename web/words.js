@@ -19,6 +19,13 @@ function fixed(value, places) {
 export const coordinate = (value, unit) => fixed(value, unit === 'mm' ? 3 : 4);
 
 /**
+ * The same without zeros at its end.
+ * @param {number} value
+ * @param {Unit} unit
+ */
+export const shortCoordinate = (value, unit) => trimmed(coordinate(value, unit));
+
+/**
  * @param {number} value
  * @param {Unit} unit
  */
@@ -62,6 +69,9 @@ export const degrees = (radians) => `${trimmed(fixed((radians * 180) / Math.PI, 
 
 /** @param {number} millimetres */
 export const metres = (millimetres) => `${fixed(millimetres / 1000, millimetres < 100_000 ? 2 : 0)} m`;
+
+/** @param {number} millimetres */
+export const feet = (millimetres) => `${fixed(millimetres / 304.8, millimetres < 30_480 ? 1 : 0)} ft`;
 
 /**
  * "1 block", "12 345 blocks".

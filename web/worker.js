@@ -1,5 +1,6 @@
 // The worker owns the wasm and the one live tape. It answers in the order in which it is asked.
 import init, * as nctape from 'nctape';
+import { tapePicture } from './files/tape-picture.js';
 import { questions } from './questions.js';
 import { timed } from './timing.js';
 
@@ -63,6 +64,16 @@ const facts = {
   suggestFormat: nctape.suggestFormat,
   decimalPlaces: nctape.decimalPlaces,
   shiftDecimals: nctape.shiftDecimals,
+  lettering: nctape.lettering,
+  letteringNote: nctape.letteringNote,
+  aboutCodes: nctape.aboutCodes,
+  rowWords: nctape.rowWords,
+  readerSpeed: nctape.readerSpeed,
+  whyUntimed: nctape.whyUntimed,
+  onMachineOf: nctape.onMachineOf,
+  openFile: nctape.openFile,
+  encode: nctape.encode,
+  tapePicture,
   /**
    * The 256 columns of tape as one picture.
    * @param {number} pitch

@@ -106,6 +106,14 @@ test('layout stays where it is when problems come and go', async () => {
   await quiet(page);
   assert.ok((await page.locator('#problem-list > li').count()) > 1);
   assert.deepEqual(await boxes(), calm);
+
+  // Neither does an example with a longer tape, a row under the pointer, nor a time that has to be explained.
+  await page.locator('#preset').selectOption({ index: 3 });
+  await quiet(page);
+  assert.match(await page.locator('#totals').innerText(), /Machining not known/);
+  await page.mouse.move(400, 150);
+  await page.locator('#row-card').waitFor();
+  assert.deepEqual(await boxes(), calm);
   await leave();
 });
 

@@ -106,3 +106,51 @@ test("rows and text, both ways, and a format suggested", () => {
     assert.equal(nctape.suggestFormat(source)[0]?.errors, 0, id);
   }
 });
+
+test("a name in letters of holes is passed over when its tape is opened", () => {
+  const { source, format } = preset("annex-e-circular");
+  for (const code of /** @type {const} */ (["iso", "eia"])) {
+    const rows = nctape.encode(source, { ...format, itemized: { ...format.itemized, code } });
+    const letters = nctape.lettering("Ada Lovelace");
+    const opened = nctape.openFile(Buffer.concat([letters, rows]), format);
+    assert.equal(opened.kind, "image");
+    assert.equal(opened.text, source);
+    assert.deepEqual(opened.decoded?.issues.map((issue) => issue.kind), ["label"]);
+    assert.equal(opened.format.itemized?.code ?? "iso", code, "the format is in the code of the tape");
+    assert.deepEqual(opened.format.itemized?.setPoint, [10, 10, 20], "and otherwise as it was");
+  }
+  assert.equal(nctape.openFile(Buffer.from(source), format).kind, "listing");
+  assert.equal(nctape.lettering("\u4e16").length, 0);
+  assert.match(nctape.letteringNote("\u4e16!", "N001\n").advice, /Put an end of block first/);
+  assert.equal(nctape.letteringNote("\u4e16!", source).missing, "\u4e16");
+});
+
+test("a row is explained in both codes, and every row of a code by that code", () => {
+  assert.deepEqual(
+    nctape.rowWords(0x47).map(({ id, label, name, parity }) => [id, label, name, parity]),
+    [["iso", "G", "letter", true], ["eia", "", null, false]],
+  );
+  for (const { id, tracks } of nctape.aboutCodes().codes) {
+    assert.equal(tracks.length, 8);
+    const table = nctape.codeTable(id);
+    table.forEach(({ label }, row) => assert.equal(nctape.rowWords(row).find((one) => one.id === id)?.label, label));
+  }
+});
+
+test("what is known of the machine is kept, and what is not is said", () => {
+  const { format } = preset("annex-e-circular");
+  /** @type {import("nctape").Format} */
+  const found = { standard: "iso2539", detail: "N3.G2.X+42.F4.M2*" };
+  assert.deepEqual(nctape.onMachineOf(found, format).itemized, { setPoint: [10, 10, 20] });
+  assert.equal(nctape.readerSpeed(found), 300);
+  assert.equal(nctape.whyUntimed("rapid", found).field, "itemized.rapid");
+  // @ts-expect-error no such kind
+  assert.throws(() => nctape.whyUntimed("hop", found), { name: "TypeError", field: "kind" });
+});
+
+test("a picture of a tape is true to scale", () => {
+  const { width, height, rgba, pixelsPerMetre } = nctape.picture(new Uint8Array([0, 0xff]), 24, "light");
+  assert.equal(width, 48);
+  assert.equal(rgba.length, 4 * width * height);
+  assert.ok(Math.abs(width / pixelsPerMetre - 2 * 0.00254) < 1e-12);
+});

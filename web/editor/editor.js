@@ -119,10 +119,11 @@ export function replaceAll(view, { source, format, cursor }, { isFirst = false }
   view.dispatch({
     changes: { from: 0, to: view.state.doc.length, insert: source },
     selection: { anchor: Math.min(cursor, source.length) },
-    effects: [setFormat.of(format), EditorView.scrollIntoView(Math.min(cursor, source.length), { y: 'center' })],
+    effects: setFormat.of(format),
     userEvent: 'input.replace',
     annotations: isFirst ? Transaction.addToHistory.of(false) : [],
   });
+  scrollWithin(view, Math.min(cursor, source.length), 'center');
 }
 
 /**
@@ -135,9 +136,46 @@ export function replaceAll(view, { source, format, cursor }, { isFirst = false }
 export function moveCursor(view, offset, by, to = offset) {
   const limit = view.state.doc.length;
   const anchor = Math.min(offset, limit);
+  const isAsked = by === 'problems';
   view.dispatch({
     selection: { anchor, head: Math.min(to, limit) },
-    effects: EditorView.scrollIntoView(anchor, { y: by === 'tape' ? 'nearest' : 'center', yMargin: 60 }),
+    effects: isAsked ? EditorView.scrollIntoView(anchor, { y: 'center' }) : [],
     annotations: movedBy.of(by),
+  });
+  // Who moves the tape or the path looks at these: the page stays where it is, where it is longer than the screen.
+  if (!isAsked) scrollWithin(view, anchor, by === 'tape' ? 'nearest' : 'center');
+}
+
+/** So far from the edges a line comes to lie. */
+const MARGIN = 60;
+
+/**
+ * Brings a place into sight within the editor, and moves nothing around it.
+ * @param {EditorView} view
+ * @param {number} offset
+ * @param {'nearest' | 'center'} where
+ */
+function scrollWithin(view, offset, where) {
+  const { scrollDOM } = view;
+  view.requestMeasure({
+    key: scrollWithin,
+    read: () => view.lineBlockAt(Math.min(offset, view.state.doc.length)),
+    write({ top, bottom }) {
+      const { clientHeight, scrollTop } = scrollDOM;
+      const margin = Math.min(MARGIN, clientHeight / 3);
+      if (where === 'nearest' && top - margin >= scrollTop && bottom + margin <= scrollTop + clientHeight) return;
+      const toTop = top - margin;
+      const toBottom = bottom + margin - clientHeight;
+      scrollDOM.scrollTop = where === 'center' ? (top + bottom - clientHeight) / 2 : toTop < scrollTop ? toTop : toBottom;
+    },
+  });
+  // Across, once the line is there.
+  requestAnimationFrame(() => {
+    const at = offset <= view.state.doc.length ? view.coordsAtPos(offset) : null;
+    if (at === null) return;
+    const box = scrollDOM.getBoundingClientRect();
+    const margin = Math.min(MARGIN, box.width / 3);
+    if (at.left < box.left + margin) scrollDOM.scrollLeft -= box.left + margin - at.left;
+    else if (at.right > box.right - margin) scrollDOM.scrollLeft += at.right - box.right + margin;
   });
 }

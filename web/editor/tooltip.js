@@ -5,6 +5,10 @@ import { marksField, shownRange } from './marks.js';
 
 /** @typedef {import('nctape').Diagnostic} Diagnostic */
 
+/** The worst first, and no more than a glance takes in: all of them are in the list. */
+const WORST = ['error', 'warning', 'info'];
+const MOST = 3;
+
 /** @param {(diagnostic: Diagnostic) => HTMLElement} card */
 export const problemTooltip = (card) =>
   hoverTooltip((view, position) => {
@@ -14,9 +18,10 @@ export const problemTooltip = (card) =>
       return range !== null && range.from <= position && position <= range.to;
     });
     if (found.length === 0) return null;
+    found.sort((one, other) => WORST.indexOf(one.severity) - WORST.indexOf(other.severity));
     return {
       pos: Math.min(...found.map(({ from }) => from)),
       above: false,
-      create: () => ({ dom: el('div', { class: 'cm-cards' }, ...found.slice(0, 4).map(card)) }),
+      create: () => ({ dom: el('div', { class: 'cm-cards' }, ...found.slice(0, MOST).map(card)) }),
     };
   });

@@ -112,6 +112,16 @@ export function makeFormatPanel({ store, engine, text, change }) {
   store.on(['explanation'], judge);
 
   return {
+    /**
+     * Opens at one field.
+     * @param {string | null} path
+     */
+    async openAt(path) {
+      await open();
+      const box = path === null ? null : document.getElementById(`field-${path.replaceAll('.', '-')}`);
+      box?.scrollIntoView({ block: 'center' });
+      box?.focus();
+    },
     /** Opens with formats that would fit the tape. */
     suggest() {
       void open();

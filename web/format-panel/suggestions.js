@@ -31,7 +31,12 @@ export function makeSuggestions({ store, engine, text, change }) {
     words.textContent = 'Trying formats …';
     list.replaceChildren();
     takers = [];
-    const found = (await engine.fact('suggestFormat', about.toString())).slice(0, MOST);
+    const known = store.state.format;
+    const suggested = (await engine.fact('suggestFormat', about.toString())).slice(0, MOST);
+    // A listing does not know the machine: what was known of it holds on.
+    const found = await Promise.all(
+      suggested.map(async (one) => ({ ...one, format: await engine.fact('onMachineOf', one.format, known) })),
+    );
     const lines = await Promise.all(found.map(({ format }) => engine.fact('formatLine', format)));
     if (madeFor !== about || text() !== about) return;
     takers = found.map((suggestion, index) => card(suggestion, lines[index], index === 0));

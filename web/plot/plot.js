@@ -8,7 +8,7 @@ import { drawGrid } from './grid.js';
 import { spanAt } from './hit.js';
 import { listenToPlotHand } from './input.js';
 import { AXES, isAnotherSize, isSeen, PLANES, View } from './view.js';
-import { spanCaption, spanLine, spanRows } from './words.js';
+import { placeLine, spanCaption, spanLine, spanRows } from './words.js';
 
 /** @typedef {import('../store.js').Store} Store */
 /** @typedef {import('../engine.js').Engine} Engine */
@@ -158,6 +158,8 @@ export function makePlot({ store, engine, kinds, onBlock }) {
   }
 
   const readout = byId('readout', HTMLElement);
+  /** Where the pointer is, in lengths. @type {[number, number] | null} */
+  let pointer = null;
   const caption = byId('span-caption', HTMLElement);
   const rows = byId('span-rows', HTMLElement);
   function tellHere() {
@@ -174,7 +176,7 @@ export function makePlot({ store, engine, kinds, onBlock }) {
   async function tellPointed() {
     const { pointed, summary } = store.state;
     if (pointed === null || summary === null) {
-      readout.textContent = '';
+      readout.textContent = summary === null || pointer === null ? '' : placeLine(pointer, view.plane, summary);
       return;
     }
     const found = await engine.ask('span', pointed);
@@ -203,9 +205,15 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     zoom,
     fit,
     point(x, y) {
+      pointer = view.toWorld(x, y);
+      if (store.state.pointed === null) void tellPointed();
       store.set({ pointed: path === null ? null : spanAt(view, path, x, y) });
     },
-    away: () => store.set({ pointed: null }),
+    away() {
+      pointer = null;
+      store.set({ pointed: null });
+      void tellPointed();
+    },
     press: (x, y) => goToSpan(path === null ? null : spanAt(view, path, x, y)),
     goToSpan(direction) {
       const at = store.state.here?.block?.span ?? (direction > 0 ? -1 : 0);

@@ -1,6 +1,7 @@
 // A span in words: the line in the picture, and the table under it.
 import { el } from '../dom.js';
 import { coordinate, degrees, feed, length, sentence, time } from '../words.js';
+import { AXES } from './view.js';
 
 /** @typedef {import('nctape').Span} Span */
 /** @typedef {import('nctape').Summary} Summary */
@@ -30,13 +31,22 @@ export function spanLine(span, block, summary) {
   return [
     `${sentence(span.kind)} to ${place(span.end, summary)}`,
     length(span.length, summary.unit),
-    span.feed === null ? null : feed(span.feed, summary.unit),
-    span.seconds === null ? null : time(span.seconds),
+    span.feed === null ? 'feed not known' : feed(span.feed, summary.unit),
+    span.seconds === null ? 'time not known' : time(span.seconds),
     blockName(block),
   ]
     .filter(Boolean)
     .join(' · ');
 }
+
+/**
+ * "X 44.142  Y 55.858 mm": a place in the picture.
+ * @param {[number, number]} at
+ * @param {import('nctape').Plane} plane
+ * @param {Summary} summary
+ */
+export const placeLine = (at, plane, { axes, unit }) =>
+  `${AXES[plane].map((axis, index) => `${axes[axis] ?? '?'} ${coordinate(at[index], unit)}`).join('  ')} ${unit === 'mm' ? 'mm' : 'in'}`;
 
 /**
  * The rows of the table: a name and what it is.

@@ -12,6 +12,7 @@ import { putColumn } from './sheet.js';
  * @property {Record<string, string>} colours
  * @property {string} font
  * @property {number} rows
+ * @property {Uint8Array} leader  rows of letters right before the first row
  * @property {number} position  row at the reader head, with its fraction
  * @property {[number, number] | null} lit  rows of the block that the cursor is on, [first, last + 1]
  * @property {number} ratio  device pixels for one of CSS
@@ -62,19 +63,37 @@ export function drawStrip(context, picture) {
 /** @typedef {StripPicture & { head: number, xOf: (row: number) => number, first: number, last: number, top: number }} Frame */
 
 /**
- * The leader and the trailer: blank rows that fade into the bench.
+ * The leader, with the letters in it, and the trailer: blank rows that fade into the bench.
  * @param {CanvasRenderingContext2D} context
  * @param {Frame} frame
  */
-function drawBareTape(context, { sheet, rows, first, last, xOf, top }) {
-  for (let row = Math.max(first, -LEADER); row <= Math.min(last, rows - 1 + LEADER); row += 1) {
-    const away = row < 0 ? -row : row - rows + 1;
-    if (away <= 0) continue;
-    const left = LEADER - away;
-    context.globalAlpha = left >= FADE ? 1 : Math.max(0, left / FADE);
-    putColumn(context, sheet, 0, xOf(row), top);
+function drawBareTape(context, { sheet, rows, leader, first, last, xOf, top }) {
+  for (let row = Math.max(first, -leader.length - LEADER); row <= Math.min(last, rows - 1 + LEADER); row += 1) {
+    if (row >= 0 && row < rows) continue;
+    putColumn(context, sheet, row < 0 ? (leader[leader.length + row] ?? 0) : 0, xOf(row), top);
   }
-  context.globalAlpha = 1;
+  fade(context, xOf(-leader.length - LEADER), xOf(-leader.length - LEADER + FADE));
+  fade(context, xOf(rows + LEADER), xOf(rows + LEADER - FADE));
+}
+
+/**
+ * Takes the tape away towards its end, without steps.
+ * @param {CanvasRenderingContext2D} context
+ * @param {number} gone  where nothing is left
+ * @param {number} whole  where all is
+ */
+function fade(context, gone, whole) {
+  const { canvas } = context;
+  const left = Math.min(gone, whole);
+  const width = Math.abs(whole - gone);
+  if (left > canvas.width || left + width < 0) return;
+  const gradient = context.createLinearGradient(gone, 0, whole, 0);
+  gradient.addColorStop(0, 'rgb(0 0 0 / 100%)');
+  gradient.addColorStop(1, 'rgb(0 0 0 / 0%)');
+  context.globalCompositeOperation = 'destination-out';
+  context.fillStyle = gradient;
+  context.fillRect(left, 0, width, canvas.height);
+  context.globalCompositeOperation = 'source-over';
 }
 
 /**
@@ -293,7 +312,7 @@ function drawHead(context, frame) {
   context.fillStyle = colours.head;
   context.fillRect(Math.round(centre - line / 2), paper - jaw, line, paperHeight + 2 * jaw);
 
-  const known = windows.row(Math.max(0, Math.round(position)));
+  const known = windows.row(Math.round(position));
   if (known === null || frame.rows === 0) return;
   const { label } = meanings[known.byte];
   const y = top + columnHeight + Math.round(5 * ratio);

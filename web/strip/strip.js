@@ -5,6 +5,7 @@ import { timed } from '../timing.js';
 import { listed, whole } from '../words.js';
 import { drawStrip, stripHeight } from './draw.js';
 import { listenToHand } from './input.js';
+import { makeRowCard } from './row-card.js';
 import { SheetSource } from './sheet.js';
 import { Windows } from './windows.js';
 
@@ -36,6 +37,10 @@ export function makeStrip({ store, engine, kinds, onRow }) {
   /** Where the hand wants the tape before its row has come. @type {number | null} */
   let wanted = null;
   let held = false;
+  /** The row of the leader at the head, which no character of the program has. @type {number | null} */
+  let inLeader = null;
+  /** The character that was told last: its answer may come when the hand is in the leader already. */
+  let told = -1;
   let ratio = 1;
   /** CSS pixels of a row. */
   let pitch = 14;
@@ -52,8 +57,8 @@ export function makeStrip({ store, engine, kinds, onRow }) {
   });
 
   const rows = () => store.state.summary?.rows ?? 0;
-  /** @param {number} row */
-  const inTape = (row) => Math.max(0, Math.min(row, rows() - 1));
+  /** The letters in the leader stand before the first row. @param {number} row */
+  const inTape = (row) => Math.max(-store.state.leader.length, Math.min(row, rows() - 1));
 
   function measure() {
     ratio = window.devicePixelRatio || 1;
@@ -84,6 +89,7 @@ export function makeStrip({ store, engine, kinds, onRow }) {
       colours: palette(store.state.theme),
       font: getComputedStyle(document.documentElement).getPropertyValue('--mono'),
       rows: rows(),
+      leader: store.state.leader,
       position,
       lit: block === null ? null : block.rows,
       ratio,
@@ -97,12 +103,20 @@ export function makeStrip({ store, engine, kinds, onRow }) {
     const known = windows.row(wanted);
     wanted = null;
     if (known === null) return;
+    told = known.offset;
     onRow(known.offset);
   }
 
   /** @param {number} row */
   function reach(row) {
-    wanted = inTape(Math.round(row));
+    const reached = inTape(Math.round(row));
+    inLeader = reached < 0 ? reached : null;
+    if (inLeader !== null) {
+      wanted = null;
+      describe();
+      return;
+    }
+    wanted = reached;
     windows.want(wanted, wanted);
     tellRow();
   }
@@ -158,6 +172,23 @@ export function makeStrip({ store, engine, kinds, onRow }) {
     },
   });
 
+  const card = makeRowCard({
+    store,
+    engine,
+    strip,
+    headX: () => strip.getBoundingClientRect().left + strip.clientWidth / 2,
+    /** What lies under a place of the screen. */
+    at(x) {
+      const { summary, leader } = store.state;
+      const box = strip.getBoundingClientRect();
+      const row = Math.round(position + (x - box.left - box.width / 2) / pitch);
+      if (summary === null || row >= summary.rows || row < -leader.length) return null;
+      if (row < 0) return { byte: leader[leader.length + row], place: 'Letters in the leader' };
+      const known = windows.row(row);
+      return known && { byte: known.byte, place: placeWords(row, summary.rows, windows.name(known.block)) };
+    },
+  });
+
   scrub.addEventListener('input', () => {
     position = inTape(Number(scrub.value));
     reach(position);
@@ -177,16 +208,43 @@ export function makeStrip({ store, engine, kinds, onRow }) {
     }
   });
   store.on(['here'], ({ here }) => {
+    if (inLeader !== null && here?.offset === told) return;
+    inLeader = null;
+    told = -1;
     if (here !== null && here.row >= 0 && !held && wanted === null) glideTo(inTape(here.row));
     else if (here !== null && here.row < 0 && rows() > 0 && wanted === null) glideTo(rows() - 1);
     describe();
     redraw();
   });
   store.on(['theme'], measure);
+  store.on(['leader'], ({ leader }) => {
+    scrub.min = String(-leader.length);
+    // The letter that was punched last comes under the head.
+    let last = leader.length - 1;
+    while (last >= 0 && leader[last] === 0) last -= 1;
+    if (last >= 0) {
+      inLeader = last - leader.length;
+      wanted = null;
+      glideTo(inLeader);
+    } else {
+      inLeader = null;
+      glideTo(inTape(store.state.here?.row ?? 0));
+    }
+    describe();
+    redraw();
+  });
 
-  async function describe() {
-    const { here, summary } = store.state;
+  function describe() {
+    const { here, summary, leader } = store.state;
     if (here === null || summary === null || meanings === null) return;
+    if (inLeader !== null) {
+      const said = `Leader, row ${leader.length + inLeader + 1} of ${leader.length} · ${holesOf(meanings[leader[leader.length + inLeader]].tracks)}`;
+      words.textContent = said;
+      strip.setAttribute('aria-valuetext', said);
+      scrub.value = String(inLeader);
+      card.showHead(leader[leader.length + inLeader], 'Letters in the leader');
+      return;
+    }
     const row = here.row < 0 ? Math.max(0, summary.rows - 1) : here.row;
     strip.setAttribute('aria-valuemax', String(Math.max(1, summary.rows)));
     strip.setAttribute('aria-valuenow', String(row + 1));
@@ -201,12 +259,13 @@ export function makeStrip({ store, engine, kinds, onRow }) {
     }
     const block = here.block?.sequence ?? null;
     words.textContent = rowWords(row, summary.rows, block, meanings[known.byte]);
+    card.showHead(known.byte, placeWords(row, summary.rows, block));
     strip.setAttribute('aria-valuetext', spokenRow(row, summary.rows, block, meanings[known.byte]));
   }
   const arrived = windows.onArrival;
   windows.onArrival = () => {
     arrived();
-    void describe();
+    describe();
   };
 
   new ResizeObserver(measure).observe(strip);
@@ -222,6 +281,20 @@ export function makeStrip({ store, engine, kinds, onRow }) {
 const called = (label, name) => (label.length === 1 ? label : name);
 
 /**
+ * "Row 152 of 358 · N006"
+ * @param {number} row
+ * @param {number} rows
+ * @param {string | null} block
+ */
+const placeWords = (row, rows, block) => `Row ${whole(row + 1)} of ${whole(rows)}${block === null ? '' : ` · ${block}`}`;
+
+/**
+ * "tracks 1 2 3 7"
+ * @param {number[]} tracks
+ */
+const holesOf = (tracks) => (tracks.length === 0 ? 'no hole' : `${tracks.length === 1 ? 'track' : 'tracks'} ${tracks.join(' ')}`);
+
+/**
  * "Row 152 of 358 · N006 · G · tracks 1 2 3 7"
  * @param {number} row
  * @param {number} rows
@@ -229,8 +302,7 @@ const called = (label, name) => (label.length === 1 ? label : name);
  * @param {import('nctape').RowMeaning} meaning
  */
 function rowWords(row, rows, block, { label, name, tracks, parity }) {
-  const holes = tracks.length === 0 ? 'no hole' : `${tracks.length === 1 ? 'track' : 'tracks'} ${tracks.join(' ')}`;
-  const parts = [`Row ${whole(row + 1)} of ${whole(rows)}`, block ?? '', called(label, name), holes, parity ? '' : 'wrong parity'];
+  const parts = [placeWords(row, rows, block), called(label, name), holesOf(tracks), parity ? '' : 'wrong parity'];
   return parts.filter((part) => part !== '').join(' · ');
 }
 

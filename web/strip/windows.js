@@ -75,11 +75,24 @@ export class Windows {
    * @param {number} row
    */
   row(row) {
+    if (row < 0) return null;
     const window = this.kept.get(Math.floor(row / WINDOW));
     const i = row % WINDOW;
     if (window === undefined || i >= window.rows.bytes.length) return null;
     const { bytes, offsets, blocks, kinds } = window.rows;
     return { byte: bytes[i], offset: offsets[i], block: blocks[i], kind: kinds[i], mark: window.marks[i] };
+  }
+
+  /**
+   * What a block near by is called; null where it has no number or is not here.
+   * @param {number} block
+   */
+  name(block) {
+    for (const { names } of this.kept.values()) {
+      const found = names.find(({ index }) => index === block);
+      if (found !== undefined) return found.text;
+    }
+    return null;
   }
 
   /**

@@ -40,6 +40,15 @@ pub(crate) fn code(word: &str) -> Option<Code> {
     }
 }
 
+/// A theme of pictures by its word.
+pub(crate) fn theme(value: &JsValue) -> Result<nctape_draw::Theme, JsValue> {
+    match value.as_string().as_deref() {
+        Some("light") => Ok(nctape_draw::Theme::Light),
+        Some("dark") => Ok(nctape_draw::Theme::Dark),
+        _ => Err(malformed("theme", "\"light\" or \"dark\" is wanted")),
+    }
+}
+
 /// The word of a code.
 pub(crate) fn code_word(code: Code) -> &'static str {
     match code {

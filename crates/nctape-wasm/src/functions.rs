@@ -1,6 +1,6 @@
 //! The functions that take a text and a format and answer at once.
 
-use crate::argument::{self, malformed};
+use crate::argument;
 use crate::offsets::Offsets;
 use crate::report::{self, API, DiagnosticView, ReportView};
 use crate::value::{Plain, to_js};
@@ -228,7 +228,7 @@ pub fn encode(
 }
 
 #[derive(Serialize)]
-struct DecodedView {
+pub(crate) struct DecodedView {
     text: String,
     code: &'static str,
     reason: String,
@@ -253,7 +253,11 @@ pub fn decode(
     #[wasm_bindgen(unchecked_optional_param_type = "DecodeOptions | null")] options: &JsValue,
 ) -> Result<JsValue, JsValue> {
     let rows = argument::bytes(rows, "rows")?;
-    let decoded = code::decode(&rows, argument::decode_options(options)?);
+    Ok(to_js(&decoded(&code::decode(&rows, argument::decode_options(options)?))))
+}
+
+/// What a tape says, as a script sees it.
+pub(crate) fn decoded(decoded: &code::Decoded) -> DecodedView {
     let offsets = Offsets::new(&decoded.text);
     let issues = decoded.issues.iter().map(|issue| IssueView {
         row: issue.row,
@@ -264,12 +268,12 @@ pub fn decode(
         from: offsets.utf16(issue.range.start),
         to: offsets.utf16(issue.range.end),
     });
-    Ok(to_js(&DecodedView {
+    DecodedView {
         code: argument::code_word(decoded.code),
         reason: decoded.reason.clone(),
         issues: issues.collect(),
         text: decoded.text.clone(),
-    }))
+    }
 }
 
 /// The path as points within a tolerance, a length above zero in the unit of the format.
@@ -306,11 +310,7 @@ pub fn columns(
     pitch: f64,
     #[wasm_bindgen(unchecked_param_type = "\"light\" | \"dark\"")] theme: &JsValue,
 ) -> Result<JsValue, JsValue> {
-    let theme = match theme.as_string().as_deref() {
-        Some("light") => nctape_draw::Theme::Light,
-        Some("dark") => nctape_draw::Theme::Dark,
-        _ => return Err(malformed("theme", "\"light\" or \"dark\" is wanted")),
-    };
+    let theme = argument::theme(theme)?;
     // `as` saturates, and a pitch that is no number becomes 0: the columns clamp it to what they can draw.
     let columns = nctape_draw::Columns::new(pitch as u32, theme);
     let sheet = columns.sheet();

@@ -7,6 +7,7 @@ mod argument;
 mod functions;
 mod live;
 mod offsets;
+mod paper;
 mod report;
 mod value;
 mod vocabulary;
@@ -19,6 +20,9 @@ pub use functions::{
     suggest_format, version,
 };
 pub use live::Tape;
+pub use paper::{
+    about_codes, lettering, lettering_note, on_machine_of, open_file, picture, reader_speed, row_words, why_untimed,
+};
 pub use vocabulary::{code_table, format_fields, presets, rules, span_kinds, standards};
 
 #[wasm_bindgen(typescript_custom_section)]

@@ -226,6 +226,33 @@ export interface Decoded {
 /** Something about one row; `from` and `to` into the decoded text, empty where the row left nothing there. */
 export interface RowIssue { row: number; byte: number; rule: string; kind: string; message: string; from: number; to: number }
 
+/** What a file holds: a listing, or the image of a tape with what was found in its rows. */
+export interface OpenedFile {
+  kind: "listing" | "image";
+  text: string;
+  /** Why it was taken for the one or the other. */
+  reason: string;
+  /** The format that was given, in the code of the tape. */
+  format: Format;
+  decoded: Decoded | null;
+}
+/** One row of holes in one code. */
+export interface RowInCode {
+  id: "iso" | "eia";
+  title: string;
+  /** Empty where the row has no meaning. */
+  label: string;
+  name: string | null;
+  parity: boolean;
+  /** Weights, character and parity in words. */
+  sentence: string;
+}
+/** The tape and its codes in words; `tracks` says what a hole counts or does, track 1 first. */
+export interface AboutCodes {
+  tape: string[];
+  codes: { id: "iso" | "eia"; title: string; tracks: string[]; about: string[] }[];
+}
+
 /** What a live tape holds, in numbers; `edit` is the number of the edit that it answers. */
 export interface Summary {
   edit: number;

@@ -1,5 +1,6 @@
 //! From rows of holes to a listing, and what is wrong with the rows.
 
+use super::label::labels;
 use super::{Code, iso840, recognise};
 use crate::rules::{Rule, row, tape};
 use std::ops::Range;
@@ -135,8 +136,17 @@ pub fn decode(rows: &[u8], options: DecodeOptions) -> Decoded {
     let mut decoded = Decoded { text: String::new(), code, reason, issues: Vec::new() };
     let mut places: Vec<(usize, char)> = Vec::new();
     let mut label: Option<usize> = None;
+    let labels = labels(rows, code, &significant);
     for (row, &byte) in rows.iter().enumerate() {
         let from = decoded.text.len();
+        if let Some(stretch) = labels.iter().find(|stretch| stretch.contains(&row)) {
+            if stretch.start == row {
+                let kind = RowIssueKind::Label;
+                let message = message(kind, byte, code);
+                decoded.issues.push(RowIssue { row, byte, kind, message, range: from..from });
+            }
+            continue;
+        }
         let (character, kind) = match meaning(byte, code, is_end(byte), significant.contains(&row)) {
             Meaning::Nothing => continue,
             Meaning::EndOfBlock => (Some('\n'), None),

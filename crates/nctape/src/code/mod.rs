@@ -5,13 +5,19 @@
 
 mod decode;
 mod encode;
+mod explain;
+mod file;
 pub mod iso840;
+mod label;
+pub mod lettering;
 mod recognise;
 pub mod rs244;
 
 pub use decode::{DecodeOptions, Decoded, RowIssue, RowIssueKind, decode};
 pub(crate) use encode::encode_from;
 pub use encode::{Rows, encode};
+pub use explain::{RowWords, about_tape};
+pub use file::{Opened, open};
 use recognise::recognise;
 
 /// A character code of punched tape.

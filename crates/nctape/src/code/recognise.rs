@@ -8,6 +8,9 @@ use super::Code;
 /// The code of a tape and why, in words.
 pub(super) fn recognise(rows: &[u8]) -> (Code, String) {
     let is_fill = |row: &u8| matches!(row, 0x00 | 0x7F | 0xFF);
+    // What stands before the first end of block may be letters for people, which have the parity of neither code.
+    let is_end = |row: &u8| matches!(row, 0x80 | 0x0A | 0x8D);
+    let rows = &rows[rows.iter().position(is_end).unwrap_or(0)..];
     let punched: Vec<u8> = rows.iter().copied().filter(|row| !is_fill(row)).collect();
     if punched.is_empty() {
         return (Code::Iso, "There is no character on the tape; ISO 840 is assumed.".to_owned());

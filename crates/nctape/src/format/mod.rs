@@ -10,6 +10,7 @@ mod control;
 mod detail;
 mod explain;
 mod itemized;
+pub mod machine;
 mod places;
 mod reading;
 pub mod value;

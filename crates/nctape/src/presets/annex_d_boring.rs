@@ -8,10 +8,9 @@ pub(super) fn preset() -> Preset {
     Preset {
         id: "annex-d-boring",
         title: "Annex D, boring machine",
-        about: "A tape for the boring machine that ISO 2539 annex D takes as its example: X, Y and Z in two \
-                decimal places, the table turned to one of eight positions by B, the spindle speed as an \
-                arithmetic code. F is the reciprocal of time, so that each block that cuts has its own; the \
-                last cut is an arc through three points, in two blocks.",
+        about: "The boring machine that ISO 2539 annex D takes as its example: X, Y and Z in two decimal places, table \
+                positions by B, the spindle speed as an arithmetic code. F is the reciprocal of time, so that each cut \
+                has its own; the last one is an arc through three points, in two blocks.",
         format: Format {
             standard: Standard::Iso2539,
             classification: Some("CSM 433".to_owned()),

@@ -1,0 +1,105 @@
+//! What a format says of the machine, whatever the tape: the data that no listing shows.
+
+use super::{Control, FeedCoding, FeedUnit, Format};
+use crate::span::SpanKind;
+
+/// Rows that a reader draws past its head in a second, where nothing is stated.
+pub const READER_SPEED: f64 = 300.0;
+
+/// Why the time of a span is not known, and the field of the format that would say it, if one would.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Untimed {
+    /// In words.
+    pub sentence: &'static str,
+    /// The path of the field, "itemized.rapid".
+    pub field: Option<&'static str>,
+}
+
+impl Format {
+    /// Rows that the reader draws past its head in a second.
+    pub fn reader_speed(&self) -> f64 {
+        self.itemized.reader_speed.map_or(READER_SPEED, |speed| speed.0)
+    }
+
+    /// This format on the machine of another: where the tool stands before the first block, the rapid traverse, the
+    /// reader and the cutter are taken from it, as far as this one does not state them.
+    ///
+    /// A format that was found for a listing says how its words are read; what the machine is like it cannot know, and
+    /// what was known before holds on. The travel is left out: it judges coordinates, and another reading of the words
+    /// has others.
+    pub fn on_machine_of(&self, other: &Format) -> Format {
+        let mut format = self.clone();
+        let (own, known) = (&mut format.itemized, &other.itemized);
+        own.set_point = own.set_point.take().or_else(|| known.set_point.clone());
+        own.rapid = own.rapid.or(known.rapid);
+        own.reader_speed = own.reader_speed.or(known.reader_speed);
+        own.buffered = own.buffered.or(known.buffered);
+        own.cutter_radius = own.cutter_radius.or(known.cutter_radius);
+        format
+    }
+
+    /// Why a moving span of this kind has no known time.
+    pub fn why_untimed(&self, kind: SpanKind) -> Untimed {
+        let control = Control::new(self);
+        let untimed = |sentence, field| Untimed { sentence, field };
+        if kind == SpanKind::Rapid {
+            return untimed("The rapid traverse of the machine is not stated.", Some("itemized.rapid"));
+        }
+        match (control.feed, control.feed_unit) {
+            (FeedCoding::Symbolic, _) => {
+                untimed("A symbolic F has no value in the format.", Some("itemized.symbolicFeeds"))
+            }
+            (FeedCoding::TimeReciprocal, _) => untimed("No F word in force says a time.", None),
+            (_, FeedUnit::PerRevolution) => {
+                untimed("A feed per revolution needs a spindle speed, and no S word in force says one.", None)
+            }
+            _ => untimed("No F word in force says a feed.", None),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::format::value::Positive;
+    use crate::format::{Itemized, SetPoint, Standard};
+
+    fn format() -> Format {
+        Format::new(Standard::Iso2539, "N3.G2.X+42.F4.M2*")
+    }
+
+    #[test]
+    fn what_is_known_of_the_machine_holds_on_under_another_reading() {
+        let known = Format {
+            itemized: Itemized {
+                set_point: Some(SetPoint::InOrder(vec![10.0, 10.0])),
+                rapid: Some(Positive(5000.0)),
+                feed: Some(FeedCoding::Geometric),
+                ..Itemized::default()
+            },
+            ..format()
+        };
+        let found = Format { itemized: Itemized { rapid: Some(Positive(9000.0)), ..Itemized::default() }, ..format() };
+        let joined = found.on_machine_of(&known);
+        assert_eq!(joined.itemized.set_point, known.itemized.set_point);
+        assert_eq!(joined.itemized.rapid, Some(Positive(9000.0)), "what it states itself goes before");
+        assert_eq!(joined.itemized.feed, None, "how words are read is not of the machine");
+    }
+
+    #[test]
+    fn a_span_without_a_time_says_which_field_would_give_it() {
+        assert_eq!(format().why_untimed(SpanKind::Rapid).field, Some("itemized.rapid"));
+        let symbolic =
+            Format { itemized: Itemized { feed: Some(FeedCoding::Symbolic), ..Itemized::default() }, ..format() };
+        assert_eq!(symbolic.why_untimed(SpanKind::Line).field, Some("itemized.symbolicFeeds"));
+        assert_eq!(format().why_untimed(SpanKind::Line).field, None);
+    }
+
+    #[test]
+    fn a_reader_draws_three_hundred_rows_a_second_unless_stated() {
+        assert_eq!(format().reader_speed(), 300.0);
+        let slow =
+            Format { itemized: Itemized { reader_speed: Some(Positive(60.0)), ..Itemized::default() }, ..format() };
+        assert_eq!(slow.reader_speed(), 60.0);
+    }
+}

@@ -1,0 +1,68 @@
+// Saves the tape to this machine: as a listing, as rows of holes, as a picture.
+import { byId } from '../dom.js';
+import { notice } from '../notice.js';
+import { counted, whole } from '../words.js';
+import { MOST_ROWS } from './limits.js';
+
+/**
+ * @param {object} parts
+ * @param {import('../store.js').Store} parts.store
+ * @param {import('../engine.js').Engine} parts.engine
+ * @param {() => string} parts.source
+ * @param {() => void} parts.close  the menu
+ */
+export function makeSave({ store, engine, source, close }) {
+  const note = byId('save-note', HTMLElement);
+
+  /** The rows of the tape, the letters in the leader before them. */
+  async function rows() {
+    const punched = await engine.fact('encode', source(), store.state.format);
+    const { leader } = store.state;
+    const all = new Uint8Array(leader.length + punched.length);
+    all.set(leader);
+    all.set(punched, leader.length);
+    return all;
+  }
+
+  const named = (/** @type {string} */ ending) => `tape.${ending}`;
+  byId('save-listing', HTMLElement).addEventListener('click', () => {
+    give(new Blob([source()], { type: 'text/plain' }), named('txt'));
+    close();
+  });
+  byId('save-rows', HTMLElement).addEventListener('click', async () => {
+    give(new Blob([await rows()], { type: 'application/octet-stream' }), named('bin'));
+    close();
+  });
+  byId('save-picture', HTMLElement).addEventListener('click', async () => {
+    const all = await rows();
+    give(await engine.fact('tapePicture', all), named('png'));
+    if (all.length > MOST_ROWS) notice(`The picture shows the first ${whole(MOST_ROWS)} rows of ${whole(all.length)}.`);
+    close();
+  });
+
+  return {
+    /** Says what would be saved. */
+    tell() {
+      const { summary, leader } = store.state;
+      const tape = counted(summary?.rows ?? 0, 'row');
+      note.textContent =
+        leader.length === 0
+          ? `${tape}, one byte a row; track 1 is the lowest bit.`
+          : `${tape}, and before them ${counted(leader.length, 'row')} with your name; one byte a row, track 1 the lowest bit.`;
+    },
+  };
+}
+
+/**
+ * Hands a file to the browser.
+ * @param {Blob} blob
+ * @param {string} name
+ */
+function give(blob, name) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  // The browser has taken it by then; a minute is plenty for a slow one.
+  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
+}
