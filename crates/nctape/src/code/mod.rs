@@ -12,7 +12,7 @@ pub mod rs244;
 pub use decode::{DecodeOptions, Decoded, RowIssue, RowIssueKind, decode};
 pub(crate) use encode::encode_from;
 pub use encode::{Rows, encode};
-use recognise::recognise;
+use recognise::{Track8, recognise, track_8};
 
 /// A character code of punched tape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -173,6 +173,8 @@ pub static ALL: &[&Rule] = &[
     &row::disregarded::RULE,
     &row::odd_block::RULE,
     &row::label::RULE,
+    &row::no_parity::RULE,
+    &row::foreign_delete::RULE,
 ];
 
 /// The rules on one block: a function of its characters and the control.
