@@ -120,13 +120,7 @@ fn report(text: &str, format: &Format) -> String {
         .filter(|(count, _)| *count > 0)
         .map(|(count, name)| format!("{count} {name}"))
         .collect();
-    writeln!(
-        out,
-        "blocks: {}, words: {}",
-        reading.blocks.len(),
-        reading.word_count()
-    )
-    .unwrap();
+    writeln!(out, "blocks: {}, words: {}", reading.blocks.len(), reading.word_count()).unwrap();
     writeln!(out, "spans: {}", if counts.is_empty() { "none".to_owned() } else { counts.join(", ") }).unwrap();
     if let Some(last) = spans.list.len().checked_sub(1) {
         let end: Vec<String> = spans.end(last).iter().map(|value| format!("{value:.4}")).collect();

@@ -266,6 +266,7 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     sequence::repeated::check(tape, sink);
     sequence::falling::check(tape, sink);
     sequence::incomplete_alignment::check(tape, sink);
+    word::unknown_address::check_tape(tape, sink);
     word::no_tool_change::check(tape, sink);
     for block in word::feed_words(tape) {
         word::axis_feed::check(&block, tape, sink);
