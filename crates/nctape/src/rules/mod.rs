@@ -73,6 +73,7 @@ pub static ALL: &[&Rule] = &[
     &word::letter_o::RULE,
     &word::parameters::RULE,
     &word::undeclared_meaning::RULE,
+    &word::compensation_letter::RULE,
     &word::axis_feed::RULE,
     &word::common_feed::RULE,
     &word::contouring_feed::RULE,

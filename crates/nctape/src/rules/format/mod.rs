@@ -84,11 +84,16 @@ pub(crate) fn check_detail(detail: &Detail, control: &Control, sink: &mut Sink<'
     shorthand_disagrees::check(detail, control, sink);
     super::feed::not_in_1058::check_detail(detail, control, sink);
     word::undeclared_meaning::check(detail, control, sink);
+    word::compensation_letter::check(detail, control, sink);
 }
 
 /// Judges the itemized data.
 pub(crate) fn check_itemized(control: &Control, problems: &mut Vec<FormatDiagnostic>) {
     super::feed::not_in_1058::check(control, problems);
+    // Without a detail it is not known what axes and words there are.
+    if !control.detail.words.is_empty() {
+        word::compensation_letter::check_itemized(control, problems);
+    }
 }
 
 /// The words of a detail that stand for a motion are not to be counted: one of them cannot be read, or stands twice.
