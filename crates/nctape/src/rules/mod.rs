@@ -168,6 +168,7 @@ pub static ALL: &[&Rule] = &[
     &format::unusable_value::RULE,
     &format::stray_character::RULE,
     &format::empty_detail::RULE,
+    &format::idle_value::RULE,
     &row::parity::RULE,
     &row::unknown::RULE,
     &row::blank::RULE,

@@ -12,6 +12,7 @@ pub(crate) mod class_unit;
 pub(crate) mod dimension_digits;
 pub(crate) mod empty_detail;
 pub(crate) mod function_digits;
+pub(crate) mod idle_value;
 pub(crate) mod letter_order;
 pub(crate) mod motion_count;
 pub(crate) mod no_asterisk;
@@ -93,6 +94,7 @@ pub(crate) fn check_itemized(control: &Control, problems: &mut Vec<FormatDiagnos
     // Without a detail it is not known what axes and words there are.
     if !control.detail.words.is_empty() {
         word::compensation_letter::check_itemized(control, problems);
+        idle_value::check(control, problems);
     }
 }
 
