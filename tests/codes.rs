@@ -77,6 +77,73 @@ fn blank_tape_within_an_eia_program_is_an_alarm_and_in_iso_it_is_not() {
     }
 }
 
+/// Track 8 taken away by a reader, or set in every row by a teleprinter: the characters are read all the same.
+#[test]
+fn a_tape_without_parity_is_read_and_said_to_have_none() {
+    let text = "%\n(A B)\nN001G01X+01000\tF0300\nN002M30\n%\n";
+    let good = rows(text, Code::Iso);
+    let stripped: Vec<u8> = good.iter().map(|row| row & 0x7F).collect();
+    let marked: Vec<u8> = good.iter().map(|row| row | 0x80).collect();
+    let by_return = |rows: &[u8]| rows.iter().map(|&row| if row & 0x7F == 0x0A { row + 3 } else { row }).collect();
+    let framed = |rows: &[u8], leader: u8| [&[leader; 30], rows, &[leader; 30]].concat();
+    let cases: [Vec<u8>; 8] = [
+        stripped.clone(),
+        marked.clone(),
+        framed(&stripped, 0x00),
+        framed(&marked, 0x00),
+        framed(&stripped, 0x7F),
+        framed(&marked, 0x80),
+        by_return(&stripped),
+        by_return(&marked),
+    ];
+    for tape in cases {
+        for code in [None, Some(Code::Iso)] {
+            let decoded = decode(&tape, DecodeOptions { code, ..DecodeOptions::default() });
+            assert_eq!((decoded.code, decoded.text.as_str()), (Code::Iso, text), "{}", decoded.reason);
+            let kinds: Vec<_> = decoded.issues.iter().map(|issue| issue.kind).collect();
+            assert_eq!(kinds, [RowIssueKind::NoParity]);
+            assert!(code.is_some() || decoded.reason.contains("parity"));
+        }
+    }
+}
+
+#[test]
+fn in_the_wrong_code_every_row_is_judged() {
+    for (code, other) in [(Code::Iso, Code::Eia), (Code::Eia, Code::Iso)] {
+        let tape = [vec![0; 10], rows("%\nN001G01\n", code), vec![0; 10]].concat();
+        let decoded = decode(&tape, DecodeOptions { code: Some(other), ..DecodeOptions::default() });
+        let judged: Vec<_> =
+            decoded.issues.iter().filter(|it| it.kind == RowIssueKind::Parity).map(|it| it.row).collect();
+        assert_eq!(judged, (10..tape.len() - 10).collect::<Vec<_>>());
+        assert_eq!(decoded.text.chars().count(), judged.len());
+    }
+}
+
+/// Tape without any end of block: a piece cut out of a program.
+#[test]
+fn damage_in_a_tape_without_end_of_block_is_no_label() {
+    for code in CODES {
+        let mut tape = rows("N001G01X+0100", code);
+        tape[3] ^= 0x10;
+        let decoded = decode(&tape, DecodeOptions { code: Some(code), ..DecodeOptions::default() });
+        assert_eq!(decoded.text, "N00\u{FFFD}G01X+0100");
+        assert!(decoded.issues.iter().any(|issue| issue.row == 3 && issue.kind == RowIssueKind::Parity));
+    }
+}
+
+#[test]
+fn all_eight_holes_are_a_delete_in_eia_code_too() {
+    let mut tape = rows("%\nN001G01\n", Code::Eia);
+    tape.insert(4, 0xFF);
+    tape.push(0xFF);
+    let decoded = decode(&tape, DecodeOptions::default());
+    assert_eq!(decoded.text, "%\nN001G01\n");
+    assert_eq!(
+        decoded.issues.iter().map(|it| (it.row, it.kind)).collect::<Vec<_>>(),
+        [(4, RowIssueKind::ForeignDelete)]
+    );
+}
+
 #[test]
 fn the_count_of_a_block_is_an_option() {
     // Y-1702's block has 29 characters: odd. The second block has 8: N026M02 and its end.

@@ -98,10 +98,12 @@ proptest! {
         let explanation = explain(&format);
         for found in &explanation.diagnostics {
             let field = match found.path.as_str() {
-                "classification" => format.classification.as_deref().unwrap_or(""),
-                _ => &format.detail,
+                "classification" => format.classification.as_deref(),
+                "detail" => Some(format.detail.as_str()),
+                _ => None,
             };
-            prop_assert!(field.get(found.diagnostic.range.clone()).is_some(), "{:?}", found);
+            prop_assert!(field.is_none_or(|field| field == found.text), "{:?}", found);
+            prop_assert!(found.text.get(found.diagnostic.range.clone()).is_some(), "{:?}", found);
         }
     }
 

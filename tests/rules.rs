@@ -12,7 +12,7 @@
 #[path = "support/page.rs"]
 mod page;
 
-use nctape::format::{FormatDiagnostic, explain, value::Value};
+use nctape::format::{FormatDiagnostic, explain, explain_read};
 use nctape::rules::{ALL, Rule};
 use nctape::{Diagnostic, Format, Severity, Standard, Tape};
 use page::{FormatExample, Page, TapeExample};
@@ -149,11 +149,8 @@ impl TapeExample {
 }
 
 fn check_tape(rule: &'static Rule, example: &TapeExample, under: &FormatExample) -> Vec<String> {
-    let mut faults: Vec<String> = judge(under)
-        .iter()
-        .filter(|found| weighs(&found.diagnostic))
-        .map(|found| told_of_format(found, under))
-        .collect();
+    let mut faults: Vec<String> =
+        judge(under).iter().filter(|found| weighs(&found.diagnostic)).map(told_of_format).collect();
     let tape = Tape::new(&example.text, &under.format);
     let found = tape.diagnostics();
     let (own, others): (Vec<_>, Vec<_>) = found.iter().partition(|found| found.rule.name == rule.name);
@@ -200,20 +197,20 @@ fn check_format(rule: &'static Rule, example: &FormatExample) -> Vec<String> {
     let found = judge(example);
     let (own, others): (Vec<_>, Vec<_>) = found.iter().partition(|found| found.diagnostic.rule.name == rule.name);
     let mut faults: Vec<String> =
-        others.iter().filter(|found| weighs(&found.diagnostic)).map(|found| told_of_format(found, example)).collect();
+        others.iter().filter(|found| weighs(&found.diagnostic)).map(|found| told_of_format(found)).collect();
     let (Some((path, marked)), [only]) = (&example.fault, &own[..]) else {
-        faults.extend(own.iter().map(|found| told_of_format(found, example)));
+        faults.extend(own.iter().map(|found| told_of_format(found)));
         if example.fault.is_some() {
             faults.push(format!("the rule is found {} times", own.len()));
         }
         return faults;
     };
-    if (&only.path, text_at_fault(only, example)) != (path, marked.as_str()) {
-        faults.push(format!("{path} {marked:?} is marked, but {}", told_of_format(only, example)));
+    if (&only.path, text_at_fault(only)) != (path, marked.as_str()) {
+        faults.push(format!("{path} {marked:?} is marked, but {}", told_of_format(only)));
     }
     let verdict = rule.verdicts.under(example.format.standard);
     if verdict.is_none_or(|verdict| (verdict.id, verdict.severity) != (only.diagnostic.id, only.diagnostic.severity)) {
-        faults.push(format!("the verdict is {verdict:?}, but {}", told_of_format(only, example)));
+        faults.push(format!("the verdict is {verdict:?}, but {}", told_of_format(only)));
     }
     for fix in &only.diagnostic.fixes {
         let (_, format) = fixed(fix, "", &example.format);
@@ -227,7 +224,7 @@ fn check_format(rule: &'static Rule, example: &FormatExample) -> Vec<String> {
 
 /// All that is found in a format, while reading it and after.
 fn judge(example: &FormatExample) -> Vec<FormatDiagnostic> {
-    example.problems.iter().cloned().chain(explain(&example.format).diagnostics).collect()
+    explain_read(&example.format, &example.problems).diagnostics
 }
 
 /// A tape and its format after a fix.
@@ -249,15 +246,12 @@ fn told(found: &Diagnostic, text: &str) -> String {
     format!("{} ({}) is found at {at:?} in line {line} of the tape: {}", found.id, found.severity.name(), found.message)
 }
 
-fn told_of_format(found: &FormatDiagnostic, example: &FormatExample) -> String {
-    let (path, at, found) = (&found.path, text_at_fault(found, example), &found.diagnostic);
+fn told_of_format(found: &FormatDiagnostic) -> String {
+    let (path, at, found) = (&found.path, text_at_fault(found), &found.diagnostic);
     format!("{} ({}) is found at {at:?} in {path} of the format: {}", found.id, found.severity.name(), found.message)
 }
 
 /// The part of a field's text that a finding speaks of; empty where the field is no text.
-fn text_at_fault<'a>(found: &FormatDiagnostic, example: &'a FormatExample) -> &'a str {
-    match found.path.split('.').try_fold(&example.value, |value, field| value.get(field)) {
-        Some(Value::Text(text)) => text.get(found.diagnostic.range.clone()).unwrap_or(""),
-        _ => "",
-    }
+fn text_at_fault(found: &FormatDiagnostic) -> &str {
+    found.text.get(found.diagnostic.range.clone()).unwrap_or("a place outside the text")
 }

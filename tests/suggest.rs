@@ -50,6 +50,24 @@ fn nothing_is_suggested_for_a_text_without_a_word() {
     }
 }
 
+/// The columns of a T system have no letters: an empty one that is left out would move those behind it.
+#[test]
+fn a_column_that_is_always_empty_keeps_its_place() {
+    let cases = [
+        ("%\n001\t01\t015000\t\t0300\n002\t\t\t\t\t30\n", "N G X Y F M"),
+        ("%\n001\t01\t015000\t020000\t\t0300\t600\t01\n002\t\t\t\t\t\t\t\t30\n", "N G X Y Z F S T M"),
+        ("%\n001\t01\t+015000\t\t+020000\t0300\t\t01\n002\t\t\t\t\t\t\t\t30\n", "N G X Y Z F S T M"),
+    ];
+    for (source, letters) in cases {
+        let best = suggest(source).into_iter().next().expect("a suggestion");
+        let found: Vec<String> =
+            Detail::read(&best.format.detail, best.format.standard).words.iter().map(|it| it.address.into()).collect();
+        assert_eq!(found.join(" "), letters, "{}", best.format.detail);
+        assert_eq!(best.errors, 0, "{:?}", best.format);
+        assert!(best.assumed.iter().any(|assumed| assumed.contains("empty in every block")), "{:?}", best.assumed);
+    }
+}
+
 /// How a control writes dimension words.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {

@@ -2,7 +2,6 @@
 
 use nctape::Format;
 use nctape::format::FormatDiagnostic;
-use nctape::format::value::Value;
 use std::ops::Range;
 
 #[path = "json.rs"]
@@ -47,8 +46,6 @@ pub struct FormatExample {
     pub line: usize,
     /// As it was read.
     pub format: Format,
-    /// The same before it was read: it may hold fields that a format has not.
-    pub value: Value,
     /// What reading it found.
     pub problems: Vec<FormatDiagnostic>,
     /// The path of the field and the text in it at fault; `None` in a good example.
@@ -157,5 +154,5 @@ fn format_example(fence: &Fence<'_>, fault: Option<(String, String)>) -> Result<
     let value = json::read(fence.body).map_err(|error| format!("line {line}: {error}"))?;
     let (format, problems) =
         Format::read(&value).map_err(|error| format!("line {line}: {}: {}", error.field, error.message))?;
-    Ok(FormatExample { line, format, value, problems, fault })
+    Ok(FormatExample { line, format, problems, fault })
 }

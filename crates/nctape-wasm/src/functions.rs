@@ -7,7 +7,7 @@ use crate::value::{Plain, to_js};
 use nctape::Tape;
 use nctape::code;
 use nctape::flatten::Points;
-use nctape::format::{Classification, Control, FormatDiagnostic, Sign, Zeros, explain, one_line};
+use nctape::format::{Classification, Control, FormatDiagnostic, Sign, Zeros, explain_read, one_line};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -95,13 +95,12 @@ struct DesignationView {
 #[wasm_bindgen(js_name = explainFormat, unchecked_return_type = "FormatExplanation")]
 pub fn explain_format(#[wasm_bindgen(unchecked_param_type = "Format")] format: &JsValue) -> Result<JsValue, JsValue> {
     let (format, problems) = argument::format(format)?;
-    let explanation = explain(&format);
-    let found = explanation.diagnostics.iter().chain(&problems);
+    let explanation = explain_read(&format, &problems);
     Ok(to_js(&Explained {
         classification: format.classification.as_ref().map(|text| classification(text, &explanation.control)),
         detail: Some(detail(&explanation.control)).filter(|detail| !detail.words.is_empty()),
         sentences: explanation.sentences.clone(),
-        diagnostics: found.map(|found| format_diagnostic(found, &format)).collect(),
+        diagnostics: explanation.diagnostics.iter().map(|found| format_diagnostic(found, &format)).collect(),
     }))
 }
 
@@ -148,12 +147,7 @@ fn detail(control: &Control) -> DetailView {
 }
 
 fn format_diagnostic(found: &FormatDiagnostic, format: &nctape::Format) -> DiagnosticView {
-    let text = match found.path.as_str() {
-        "classification" => format.classification.as_deref().unwrap_or(""),
-        "detail" => format.detail.as_str(),
-        _ => "",
-    };
-    let mut view = report::diagnostic(&found.diagnostic, format.standard, &Offsets::new(text));
+    let mut view = report::diagnostic(&found.diagnostic, format.standard, &Offsets::new(&found.text));
     view.path = Some(found.path.clone());
     view
 }

@@ -1,7 +1,7 @@
 //! From rows of holes to a listing, and what is wrong with the rows.
 
 use super::label::labels;
-use super::{Code, iso840, recognise};
+use super::{Code, Track8, iso840, recognise, track_8};
 use crate::rules::{Rule, row, tape};
 use std::ops::Range;
 
@@ -44,6 +44,10 @@ pub enum RowIssueKind {
     Blank,
     /// A delete, backspace or shift: a control disregards it.
     Disregarded,
+    /// All eight holes on an EIA tape: the delete of ISO code.
+    ForeignDelete,
+    /// Track 8 never or always punched on an ISO tape. Said once, at the first row that differs.
+    NoParity,
     /// A character that makers added to the code: the standards have it not.
     Extension,
     /// A stretch of rows before the first or behind the last end of block that are no characters: a label that a
@@ -65,6 +69,8 @@ impl RowIssueKind {
             RowIssueKind::Unknown => "unknown",
             RowIssueKind::Blank => "blank",
             RowIssueKind::Disregarded => "disregarded",
+            RowIssueKind::ForeignDelete => "foreign-delete",
+            RowIssueKind::NoParity => "no-parity",
             RowIssueKind::Extension => "extension",
             RowIssueKind::Label => "label",
             RowIssueKind::NoFirstEnd => "no-first-end",
@@ -80,6 +86,8 @@ impl RowIssueKind {
             RowIssueKind::Unknown => &row::unknown::RULE,
             RowIssueKind::Blank => &row::blank::RULE,
             RowIssueKind::Disregarded => &row::disregarded::RULE,
+            RowIssueKind::ForeignDelete => &row::foreign_delete::RULE,
+            RowIssueKind::NoParity => &row::no_parity::RULE,
             RowIssueKind::OddBlock => &row::odd_block::RULE,
             RowIssueKind::Label => &row::label::RULE,
             RowIssueKind::Extension => &tape::foreign_character::RULE,
@@ -110,7 +118,9 @@ enum Meaning {
 ///
 /// Between the first and the last end of block every row must be a character of the code; before and behind them are
 /// leader, label and trailer, where blank tape and delete are as they should be. A carriage return ends a block on an
-/// ISO tape without line feeds; beside line feeds a control disregards it.
+/// ISO tape without line feeds; beside line feeds a control disregards it. A tape without any end of block has no place
+/// for a label: all its rows are judged. Where track 8 of an ISO tape is never or always punched it is passed over, and
+/// that is said once.
 ///
 /// ```
 /// use nctape::code::{Code, DecodeOptions, decode};
@@ -124,20 +134,28 @@ pub fn decode(rows: &[u8], options: DecodeOptions) -> Decoded {
         Some(code) => (code, format!("{} was asked for.", code.name())),
         None => recognise(rows),
     };
-    let by_return = code == Code::Iso && !rows.contains(&0x0A) && rows.contains(&0x8D);
+    let track_8 = if code == Code::Iso { track_8(rows) } else { Track8::Parity };
+    let mended: Vec<u8> = rows.iter().map(|&row| track_8.mended(row)).collect();
+    let by_return = code == Code::Iso && !mended.contains(&0x0A) && mended.contains(&0x8D);
     let is_end = |row: u8| match code {
         Code::Eia => row == 0x80,
         Code::Iso => row == if by_return { 0x8D } else { 0x0A },
     };
-    let significant = match (rows.iter().position(|&row| is_end(row)), rows.iter().rposition(|&row| is_end(row))) {
-        (Some(first), Some(last)) => first..last,
-        _ => 0..0,
+    let span = |is: &dyn Fn(u8) -> bool| {
+        Some((mended.iter().position(|&row| is(row))?, mended.iter().rposition(|&row| is(row))?))
+    };
+    let is_punched = |row: u8| !matches!(row, 0x00 | 0x7F | 0xFF);
+    let significant = match (span(&is_end), span(&is_punched)) {
+        (Some((first, last)), _) => first..last,
+        (None, Some((first, last))) => first..last + 1,
+        (None, None) => 0..0,
     };
     let mut decoded = Decoded { text: String::new(), code, reason, issues: Vec::new() };
     let mut places: Vec<(usize, char)> = Vec::new();
     let mut label: Option<usize> = None;
-    let labels = labels(rows, code, &significant);
-    for (row, &byte) in rows.iter().enumerate() {
+    let labels = labels(&mended, code, &significant);
+    let mut parity_said = false;
+    for (row, (&byte, &read)) in rows.iter().zip(&mended).enumerate() {
         let from = decoded.text.len();
         if let Some(stretch) = labels.iter().find(|stretch| stretch.contains(&row)) {
             if stretch.start == row {
@@ -147,7 +165,7 @@ pub fn decode(rows: &[u8], options: DecodeOptions) -> Decoded {
             }
             continue;
         }
-        let (character, kind) = match meaning(byte, code, is_end(byte), significant.contains(&row)) {
+        let (character, kind) = match meaning(read, code, is_end(read), significant.contains(&row)) {
             Meaning::Nothing => continue,
             Meaning::EndOfBlock => (Some('\n'), None),
             Meaning::Character(character) => (Some(character), None),
@@ -162,18 +180,22 @@ pub fn decode(rows: &[u8], options: DecodeOptions) -> Decoded {
             }
             Meaning::Issue(kind, character) => (character, Some(kind)),
         };
+        let no_parity = byte != read && kind.is_none() && !parity_said;
+        parity_said |= no_parity;
+        let kind = kind.or(no_parity.then_some(RowIssueKind::NoParity));
         if let Some(character) = character {
             decoded.text.push(character);
             places.push((row, character));
         }
         if let Some(kind) = kind {
-            let message = message(kind, byte, code);
+            // A delete without parity is a delete; the holes of the other rows are told as they are.
+            let message = message(kind, if kind == RowIssueKind::Disregarded { read } else { byte }, code);
             decoded.issues.push(RowIssue { row, byte, kind, message, range: from..decoded.text.len() });
         }
     }
     check_ends(&mut decoded, rows, &places);
     if options.count_blocks {
-        count_blocks(&mut decoded, rows, &significant, is_end);
+        count_blocks(&mut decoded, rows, &mended, &significant, is_end);
     }
     decoded.issues.sort_by_key(|issue| issue.row);
     decoded
@@ -187,7 +209,8 @@ fn meaning(row: u8, code: Code, end: bool, significant: bool) -> Meaning {
         // Blank tape is harmless in ISO code, an alarm in EIA code between the ends of block.
         (0x00, Code::Eia) if significant => return Meaning::Issue(RowIssueKind::Blank, None),
         (0x00, _) => return Meaning::Nothing,
-        (0x7F, Code::Eia) | (0xFF, Code::Iso) if !significant => return Meaning::Nothing,
+        (0x7F, Code::Eia) | (0xFF, _) if !significant => return Meaning::Nothing,
+        (0xFF, Code::Eia) => return Meaning::Issue(RowIssueKind::ForeignDelete, None),
         _ => {}
     }
     if !code.parity_fits(row) {
@@ -211,6 +234,8 @@ fn message(kind: RowIssueKind, byte: u8, code: Code) -> String {
         RowIssueKind::Unknown => row::unknown::message(byte, code),
         RowIssueKind::Blank => row::blank::message(byte, code),
         RowIssueKind::Disregarded => row::disregarded::message(byte, code),
+        RowIssueKind::ForeignDelete => row::foreign_delete::message(byte, code),
+        RowIssueKind::NoParity => row::no_parity::message(byte, code),
         RowIssueKind::OddBlock => row::odd_block::message(byte, code),
         RowIssueKind::Label => row::label::message(byte, code),
         RowIssueKind::Extension => format!(
@@ -263,13 +288,20 @@ fn check_ends(decoded: &mut Decoded, rows: &[u8], places: &[(usize, char)]) {
 }
 
 /// Reports each block whose characters are odd in number.
-fn count_blocks(decoded: &mut Decoded, rows: &[u8], significant: &Range<usize>, is_end: impl Fn(u8) -> bool) {
+fn count_blocks(
+    decoded: &mut Decoded,
+    rows: &[u8],
+    mended: &[u8],
+    significant: &Range<usize>,
+    is_end: impl Fn(u8) -> bool,
+) {
     let mut count = 0;
     let mut line_ends = decoded.text.match_indices('\n').map(|(at, _)| at).skip(1).collect::<Vec<_>>().into_iter();
     // The first end of block ends no block; blank rows are no characters.
-    for (row, &byte) in rows.iter().enumerate().take(significant.end + 1).skip(significant.start + 1) {
+    for (row, &byte) in mended.iter().enumerate().take(significant.end + 1).skip(significant.start + 1) {
         count += usize::from(byte != 0);
         if is_end(byte) {
+            let byte = rows[row];
             let at = line_ends.next().unwrap_or(decoded.text.len());
             if count % 2 == 1 {
                 let kind = RowIssueKind::OddBlock;

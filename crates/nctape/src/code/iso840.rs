@@ -63,7 +63,7 @@ pub(super) fn meaning(row: u8) -> Option<(String, &'static str)> {
 }
 
 /// Sets track 8 so that the number of holes is even.
-const fn with_parity(ascii: u8) -> u8 {
+pub(super) const fn with_parity(ascii: u8) -> u8 {
     ascii | ((ascii.count_ones() as u8 & 1) << 7)
 }
 

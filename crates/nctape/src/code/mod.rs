@@ -18,7 +18,7 @@ pub(crate) use encode::encode_from;
 pub use encode::{Rows, encode};
 pub use explain::{RowWords, about_tape};
 pub use file::{Opened, open};
-use recognise::recognise;
+use recognise::{Track8, recognise, track_8};
 
 /// A character code of punched tape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -4,6 +4,45 @@
 //! every row of ISO code an even one. Controls decide by the first end-of-block row.
 
 use super::Code;
+use super::iso840::with_parity;
+
+/// How track 8 of a tape in ISO code is punched.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Track8 {
+    /// For even parity, as ISO 840 wants it.
+    Parity,
+    /// Never: seven-bit characters without parity.
+    Never,
+    /// In every row: mark parity, as some teleprinters punch it.
+    Always,
+}
+
+/// How track 8 is punched, supposing that the tape is in ISO code.
+///
+/// Of seven-bit characters about half have an odd number of holes, so that track 8 never or always punched leaves the
+/// parity wrong in many rows. A few such rows are damage: a single row never changes what is found here.
+pub(super) fn track_8(rows: &[u8]) -> Track8 {
+    let is_fill = |row: u8| matches!(row, 0x00 | 0x7F | 0x80 | 0xFF);
+    let punched = || rows.iter().copied().filter(|&row| !is_fill(row));
+    let (count, odd) = punched().fold((0, 0), |(count, odd), row| (count + 1, odd + row.count_ones() as usize % 2));
+    let (few, most) = (2.max(count / 8), count - count / 8);
+    if odd < few || odd > most {
+        return Track8::Parity;
+    }
+    let ends = |end: u8, by_return: u8| punched().any(|row| row == end || row == by_return);
+    match () {
+        () if rows.iter().all(|row| row & 0x80 == 0) && ends(0x0A, 0x0D) => Track8::Never,
+        () if punched().all(|row| row & 0x80 != 0) && ends(0x8A, 0x8D) => Track8::Always,
+        () => Track8::Parity,
+    }
+}
+
+impl Track8 {
+    /// A row as it would be with even parity on track 8.
+    pub(super) fn mended(self, row: u8) -> u8 {
+        if self == Track8::Parity { row } else { with_parity(row & 0x7F) }
+    }
+}
 
 /// The code of a tape and why, in words.
 pub(super) fn recognise(rows: &[u8]) -> (Code, String) {
@@ -26,11 +65,15 @@ pub(super) fn recognise(rows: &[u8]) -> (Code, String) {
     });
     let even = punched.iter().filter(|&&row| Code::Iso.parity_fits(row)).count();
     let by_parity = if 2 * even >= punched.len() { Code::Iso } else { Code::Eia };
-    let plain = punched.iter().all(|row| row & 0x80 == 0) && punched.contains(&0x0A) && even < punched.len();
-    if plain {
-        let reason = "Track 8 is never punched and the end of block is a line feed: this is 7-bit ASCII without parity. \
-                      It is read as ISO 840; the rows with an odd number of holes are reported.";
-        return (Code::Iso, reason.to_owned());
+    let without_parity = match track_8(rows) {
+        Track8::Parity => None,
+        Track8::Never => Some("never punched: these are seven-bit characters without parity"),
+        Track8::Always => Some("punched in every row: this is mark parity, as some teleprinters punch it"),
+    };
+    if let Some(what) = without_parity {
+        let reason =
+            format!("ISO 840: there are line feeds or carriage returns, but track 8 is {what}. It is passed over.");
+        return (Code::Iso, reason);
     }
     match first {
         Some(code) if code == by_parity => {

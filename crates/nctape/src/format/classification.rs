@@ -86,6 +86,11 @@ impl Classification {
         Classification { letters, rest, length: text.len() }
     }
 
+    /// Nothing is written.
+    pub(crate) fn is_empty(&self) -> bool {
+        self.letters.is_empty() && self.rest.is_empty()
+    }
+
     fn letter(&self, index: usize) -> Option<char> {
         self.letters.get(index).map(|letter| letter.0)
     }
@@ -124,5 +129,47 @@ impl Classification {
         let digits: Option<Vec<u8>> =
             self.rest.iter().map(|place| place.0.to_digit(10).map(|digit| digit as u8)).collect();
         digits?.try_into().ok()
+    }
+}
+
+/// The EIA shorthand, "c23.314.22", as it is probably meant.
+///
+/// Y-1702 explains it in its figure 4, which is lost; the places are read in the order in which a handbook lists what
+/// it says. So it never decides anything.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Shorthand {
+    /// The letter, in lower case: c for a contouring control.
+    pub system: char,
+    /// Words of motions.
+    pub motions: u8,
+    /// Other words, the sequence number not counted.
+    pub others: u8,
+    /// The type of the dimensions.
+    pub kind: u8,
+    /// Digits before the decimal sign.
+    pub before: u8,
+    /// Digits behind it.
+    pub after: u8,
+    /// Channels of motion control.
+    pub channels: u8,
+    /// Axes.
+    pub axes: u8,
+}
+
+impl Shorthand {
+    /// Takes a shorthand apart: a letter, and two, three and two digits with full stops or blanks between them.
+    ///
+    /// ```
+    /// use nctape::format::Shorthand;
+    /// let read = Shorthand::read("c23.314.22").unwrap();
+    /// assert_eq!((read.motions, read.before, read.after, read.axes), (2, 1, 4, 2));
+    /// assert!(Shorthand::read("CSM 432").is_none());
+    /// ```
+    pub fn read(text: &str) -> Option<Shorthand> {
+        let mut places = text.chars().filter(|c| !c.is_whitespace() && *c != '.');
+        let system = places.next().filter(char::is_ascii_alphabetic)?.to_ascii_lowercase();
+        let digits: Option<Vec<u8>> = places.map(|c| c.to_digit(10).map(|digit| digit as u8)).collect();
+        let [motions, others, kind, before, after, channels, axes] = digits?.try_into().ok()?;
+        Some(Shorthand { system, motions, others, kind, before, after, channels, axes })
     }
 }

@@ -105,7 +105,8 @@ impl Detail {
         let mut detail = Detail { length: text.len(), ..Detail::default() };
         let places: Vec<(usize, char)> = text.char_indices().filter(|(_, c)| !c.is_whitespace()).collect();
         let mut at = 0;
-        let mut tab = false;
+        // A full stop whose word is still to come.
+        let mut tab: Option<Range<usize>> = None;
         let mut previous_stray = None;
         while let Some(&(from, character)) = places.get(at) {
             let here = from..from + character.len_utf8();
@@ -115,23 +116,42 @@ impl Detail {
             if detail.end.is_some() {
                 stray(&mut detail.stray, previous_stray == Some(at - 1), here);
                 previous_stray = Some(at);
-            } else if character == '.' && !tab && !digit_follows {
-                tab = true;
+            } else if character == '.' && tab.is_none() && !digit_follows {
+                tab = Some(here);
             } else if character == '*' {
                 detail.end = Some(here);
+                detail.stray.extend(tab.take());
             } else if character.is_ascii_alphabetic() {
-                let length = word_length(&places[at..]);
+                let (marks, digits) = word_length(&places[at..]);
+                let length = marks + digits;
                 let to = if length == 0 { here.end } else { places[at + length - 1].0 + 1 };
                 let body: String = places[at..at + length].iter().map(|place| place.1.to_ascii_uppercase()).collect();
+                // The first mark is the word's; what follows it says something else of the same word.
+                if marks > 1 {
+                    detail.stray.push(places[at + 1].0..places[at + marks - 1].0 + 1);
+                }
                 at += length;
+                let tab = tab.take().is_some();
                 detail.words.push(designation(character.to_ascii_uppercase(), from..to, tab, &body, standard));
-                tab = false;
             } else {
                 stray(&mut detail.stray, previous_stray == Some(at - 1), here);
                 previous_stray = Some(at);
             }
         }
+        detail.stray.extend(tab);
+        detail.stray.sort_by_key(|range| range.start);
         detail
+    }
+
+    /// Something that means nothing stands between a word and the one before it: what the word lacks may be it.
+    pub(crate) fn is_behind_stray(&self, index: usize) -> bool {
+        let from = index.checked_sub(1).map_or(0, |before| self.words[before].range.end);
+        self.stray.iter().any(|stray| from <= stray.start && stray.end <= self.words[index].range.start)
+    }
+
+    /// Something that means nothing stands right behind a word: it may be what cut its digits short.
+    pub(crate) fn is_cut_short(&self, word: &Designation) -> bool {
+        self.stray.iter().any(|stray| stray.start == word.range.end)
     }
 }
 
@@ -143,13 +163,20 @@ fn stray(strays: &mut Vec<Range<usize>>, goes_on: bool, here: Range<usize>) {
     }
 }
 
-/// How many places behind an address belong to its word: a sign mark and digits.
-fn word_length(places: &[(usize, char)]) -> usize {
+/// How many places behind an address belong to its word: sign marks and digits. There is one mark at most; two or
+/// more, one of them +, are a slip within one word, for no address is a +.
+fn word_length(places: &[(usize, char)]) -> (usize, usize) {
     let digit_at = |index: usize| places.get(index).is_some_and(|place| place.1.is_ascii_digit());
-    let marked = places.first().is_some_and(|place| matches!(place.1.to_ascii_uppercase(), '+' | 'D' | 'L'));
-    let from = usize::from(marked && digit_at(1));
-    let digits = (from..).take_while(|&index| digit_at(index)).count();
-    from + digits
+    let is_mark = |place: &&(usize, char)| matches!(place.1.to_ascii_uppercase(), '+' | 'D' | 'L');
+    let run = places.iter().take_while(is_mark).count();
+    let plus = places[..run].iter().any(|place| place.1 == '+');
+    let marks = match run {
+        0 => 0,
+        2.. if plus && digit_at(run) => run,
+        _ => usize::from(digit_at(1)),
+    };
+    let digits = (marks..).take_while(|&index| digit_at(index)).count();
+    (marks, digits)
 }
 
 fn designation(address: char, range: Range<usize>, tab: bool, body: &str, standard: Standard) -> Designation {

@@ -1,6 +1,6 @@
 //! A format in words, and what is wrong with it.
 
-use super::{Angles, Classification, Control, Designation, Format, Sign, Standard, System, Unit, Zeros};
+use super::{Angles, Classification, Control, Designation, Format, Shorthand, Sign, Standard, System, Unit, Zeros};
 use crate::diagnostic::{Diagnostic, Sink};
 use crate::rules;
 
@@ -9,8 +9,17 @@ use crate::rules;
 pub struct FormatDiagnostic {
     /// "classification", "detail", "itemized.feed" …
     pub path: String,
+    /// The field's text; empty where the field is no text.
+    pub text: String,
     /// The finding; its range is in bytes of the field's text.
     pub diagnostic: Diagnostic,
+}
+
+impl FormatDiagnostic {
+    /// A finding about the text of a field.
+    pub(crate) fn of(path: &str, text: &str, diagnostic: Diagnostic) -> FormatDiagnostic {
+        FormatDiagnostic { path: path.to_owned(), text: text.to_owned(), diagnostic }
+    }
 }
 
 /// A format in words.
@@ -26,21 +35,35 @@ pub struct Explanation {
 
 /// Explains a format and judges it.
 pub fn explain(format: &Format) -> Explanation {
+    explain_read(format, &[])
+}
+
+/// Explains a format that was read with problems: they are among its findings, and what follows from them is not.
+pub fn explain_read(format: &Format, problems: &[FormatDiagnostic]) -> Explanation {
     let control = Control::new(format);
     let mut sentences = vec![format!("The format follows {}.", format.standard.title())];
-    let mut diagnostics = Vec::new();
-    if let Some(classification) = &control.classification {
+    let mut diagnostics = problems.to_vec();
+    if let Some(text) = &format.classification {
         let mut found = Vec::new();
-        rules::format::check_classification(classification, &control, &mut Sink::new(format.standard, &mut found));
-        diagnostics
-            .extend(found.into_iter().map(|d| FormatDiagnostic { path: "classification".to_owned(), diagnostic: d }));
-        sentences.extend(classification_sentences(classification));
-    } else if let Some(shorthand) = &format.classification {
-        sentences.extend(eia_sentences(shorthand));
+        let mut sink = Sink::new(format.standard, &mut found);
+        match &control.classification {
+            Some(classification) => {
+                rules::format::check_classification(classification, &control, &mut sink);
+                sentences.extend(classification_sentences(classification));
+            }
+            None => {
+                rules::format::check_shorthand(text, &mut sink);
+                sentences.extend(eia_sentences(text));
+            }
+        }
+        diagnostics.extend(found.into_iter().map(|found| FormatDiagnostic::of("classification", text, found)));
     }
     let mut found = Vec::new();
-    rules::format::check_detail(&control.detail, &control, &mut Sink::new(format.standard, &mut found));
-    diagnostics.extend(found.into_iter().map(|d| FormatDiagnostic { path: "detail".to_owned(), diagnostic: d }));
+    // A detail that could not be read is no detail without words.
+    if !problems.iter().any(|problem| problem.path == "detail") {
+        rules::format::check_detail(&control.detail, &control, &mut Sink::new(format.standard, &mut found));
+    }
+    diagnostics.extend(found.into_iter().map(|found| FormatDiagnostic::of("detail", &format.detail, found)));
     rules::format::check_itemized(&control, &mut diagnostics);
     sentences.extend(control.detail.words.iter().map(|word| word_sentence(word, &control)));
     sentences.extend(itemized_sentences(&control));
@@ -88,26 +111,25 @@ fn classification_sentences(found: &Classification) -> Vec<String> {
     sentences
 }
 
-/// The EIA shorthand has no printed explanation at hand (Y-1702's figure 4 is lost), so its reading is a guess and
-/// never decides anything.
-fn eia_sentences(shorthand: &str) -> Vec<String> {
-    let text = shorthand.trim().to_ascii_lowercase();
-    let digits: Vec<u32> = text.chars().filter_map(|c| c.to_digit(10)).collect();
+/// What the EIA shorthand probably says.
+fn eia_sentences(text: &str) -> Vec<String> {
     let mut sentences = Vec::new();
-    match text.chars().next() {
-        Some('c') => sentences.push("c: probably a contouring control.".to_owned()),
-        Some('p') => sentences.push("p: probably a positioning control.".to_owned()),
-        _ => {}
-    }
-    if let [words, others, kind, before, after, channels, axes] = digits[..] {
-        let kind = match kind {
+    let shorthand = text.trim();
+    if let Some(read) = Shorthand::read(text) {
+        match read.system {
+            'c' => sentences.push("c: probably a contouring control.".to_owned()),
+            'p' => sentences.push("p: probably a positioning control.".to_owned()),
+            _ => {}
+        }
+        let kind = match read.kind {
             3 => "incremental dimensions",
             2 => "absolute dimensions with sign",
             1 => "absolute dimensions without sign",
             _ => "dimensions of a kind not known here",
         };
+        let Shorthand { motions, others, before, after, channels, axes, .. } = read;
         sentences.push(format!(
-            "{shorthand}: probably {words} dimension words, {others} other words, {kind}, {before} digits before and \
+            "{shorthand}: probably {motions} dimension words, {others} other words, {kind}, {before} digits before and \
              {after} behind the decimal sign, {channels} motions at a time, {axes} axes. The shorthand explains and \
              never decides: the detail and the itemized data hold."
         ));

@@ -15,12 +15,12 @@ mod places;
 mod reading;
 pub mod value;
 
-pub use classification::{Angles, Classification, System, Unit};
+pub use classification::{Angles, Classification, Shorthand, System, Unit};
 pub(crate) use control::power_of_ten;
 pub use control::{Axis, Control};
 pub(crate) use detail::DIMENSION_LETTERS;
 pub use detail::{Designation, Detail, Sign, Zeros};
-pub use explain::{Explanation, FormatDiagnostic, explain, one_line};
+pub use explain::{Explanation, FormatDiagnostic, explain, explain_read, one_line};
 pub use itemized::{
     ArcCentre, ArcFeed, ArcParameters, CurveKind, Declared, Dimensions, Dwell, DwellUnit, FeedCoding, FeedUnit,
     Itemized, ItemizedField, ParabolaParameters, Plane, SetPoint, SpindleCoding, TapeCode, TapeEnd, TimeScale,

@@ -132,17 +132,17 @@ impl Setting for u8 {
     }
 }
 
-/// Numbers by name.
+/// Speeds by name: numbers that are not negative.
 impl Setting for BTreeMap<String, f64> {
     const KIND: &'static str = "numbers";
     fn read(value: &Value) -> Option<Self> {
-        map(value, number)
+        map(value, |value| number(value).filter(|number| *number >= 0.0))
     }
     fn write(&self) -> Value {
         Value::Map(self.iter().map(|(name, number)| (name.clone(), Value::Number(*number))).collect())
     }
     fn allowed() -> String {
-        "numbers by name, such as {\"1\": 120}".to_owned()
+        "numbers from 0 on by name, such as {\"1\": 120}".to_owned()
     }
 }
 

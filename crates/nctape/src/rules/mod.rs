@@ -73,6 +73,7 @@ pub static ALL: &[&Rule] = &[
     &word::letter_o::RULE,
     &word::parameters::RULE,
     &word::undeclared_meaning::RULE,
+    &word::compensation_letter::RULE,
     &word::axis_feed::RULE,
     &word::common_feed::RULE,
     &word::contouring_feed::RULE,
@@ -167,12 +168,15 @@ pub static ALL: &[&Rule] = &[
     &format::unusable_value::RULE,
     &format::stray_character::RULE,
     &format::empty_detail::RULE,
+    &format::idle_value::RULE,
     &row::parity::RULE,
     &row::unknown::RULE,
     &row::blank::RULE,
     &row::disregarded::RULE,
     &row::odd_block::RULE,
     &row::label::RULE,
+    &row::no_parity::RULE,
+    &row::foreign_delete::RULE,
 ];
 
 /// The rules on one block: a function of its characters and the control.
@@ -264,6 +268,7 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     sequence::repeated::check(tape, sink);
     sequence::falling::check(tape, sink);
     sequence::incomplete_alignment::check(tape, sink);
+    word::unknown_address::check_tape(tape, sink);
     word::no_tool_change::check(tape, sink);
     for block in word::feed_words(tape) {
         word::axis_feed::check(&block, tape, sink);

@@ -27,8 +27,13 @@ pub(crate) fn is_declared(word: &Word, control: &Control) -> bool {
 
 /// The itemized data gives an address letter a meaning.
 pub(crate) fn is_declared_letter(letter: char, control: &Control) -> bool {
-    let declared = control.format.itemized.declared.as_ref();
-    declared.is_some_and(|declared| declared.letters.contains_key(&letter.to_string()))
+    declared_letter(letter, control).is_some()
+}
+
+/// The meaning that the itemized data gives an address letter.
+pub(crate) fn declared_letter(letter: char, control: &Control) -> Option<&str> {
+    let declared = control.format.itemized.declared.as_ref()?;
+    declared.letters.get(letter.encode_utf8(&mut [0; 4])).map(String::as_str)
 }
 
 /// A fix that moves a word before another of its block; none where tabs belong to the words.

@@ -123,13 +123,21 @@ fn grounds(survey: &Survey, format: &Format, errors: usize) -> (Vec<String>, Vec
                 letters.len()
             ));
             assumed.push(format!("The columns are {letters}, in the order of the standard."));
+            let empty = survey.letters.iter().enumerate().filter(|(_, seen)| seen.count == 0);
+            assumed.extend(empty.map(|(column, seen)| {
+                format!(
+                    "Column {} is empty in every block: that it is {} and how many digits it has are assumed.",
+                    column + 1,
+                    char::from(seen.address)
+                )
+            }));
         }
         _ => sure.push(format!("The addresses in use: {letters}.")),
     }
     if survey.system == System::TabAndAddress {
         sure.push("Words are preceded by tabs.".to_owned());
     }
-    for seen in survey.letters.iter().filter(|seen| seen.is_dimension()) {
+    for seen in survey.letters.iter().filter(|seen| seen.is_dimension() && seen.count > 0) {
         let sign = if seen.signed == 0 { "never with a sign" } else { "with a sign" };
         let digits = match seen.shortest == seen.longest {
             true => format!("{} digits", seen.longest),

@@ -24,6 +24,24 @@ impl Seen {
         Seen { address, count: 0, signed: 0, shortest, longest, padded_in_front: 0, padded_behind: 0 }
     }
 
+    /// A column that no block fills: a dimension is taken to be like the one nearest to it, a function to have the digits
+    /// that it has most often.
+    fn of_empty_column(address: u8, columns: &[u8], seen: &[Seen]) -> Seen {
+        let is_dimension = DIMENSION_LETTERS.contains(char::from(address));
+        let place = |letter: u8| columns.iter().position(|&column| column == letter);
+        let distance = |other: &&Seen| place(other.address).zip(place(address)).map(|(one, other)| one.abs_diff(other));
+        let like = seen.iter().filter(|other| is_dimension && other.is_dimension()).min_by_key(distance);
+        let digits = match address {
+            b'N' | b'S' => 3,
+            b'G' | b'T' | b'M' => 2,
+            b'F' => 4,
+            _ => 6,
+        };
+        let (signed, shortest, longest) =
+            like.map_or((0, digits, digits), |like| (like.signed, like.shortest, like.longest));
+        Seen { signed, shortest, longest, ..Seen::new(address) }
+    }
+
     /// It is the word of a dimension: its letter may be one, and it is longer than a symbol of one digit.
     pub(super) fn is_dimension(&self) -> bool {
         DIMENSION_LETTERS.contains(char::from(self.address)) && (self.longest > 1 || self.signed > 0)
@@ -161,6 +179,11 @@ impl Survey {
         }
         let differ = feeds.iter().any(|feed| *feed != feeds[0]);
         self.feed_in_every_cut = cuts >= 3 && feeds.len() == cuts && differ;
+        for &address in columns.iter().filter(|&&address| address != 0) {
+            if !self.letters.iter().any(|seen| seen.address == address) {
+                self.letters.push(Seen::of_empty_column(address, columns, &self.letters));
+            }
+        }
         let place = |seen: &Seen| ORDER.iter().position(|&letter| letter == seen.address);
         self.letters.retain(|seen| place(seen).is_some());
         self.letters.sort_by_key(place);
@@ -246,8 +269,18 @@ fn columns(reading: &Reading, source: &str) -> Vec<u8> {
     let often = |shape: &Seen| 10 * shape.count >= reading.blocks.len();
     let alike =
         |shape: &Seen| if signed { shape.signed > 0 } else { shape.signed == 0 && shape.longest > 2 && often(shape) };
+    // In a handful of blocks no word is frequent; there the functions are the columns that are shorter than every
+    // dimension before them.
+    let first = column;
+    let few = reading.blocks.len() < 10;
+    let ends = |column: usize| {
+        let shortest = shapes[first..column].iter().filter(|shape| shape.count > 0).map(|shape| shape.longest).min();
+        let shorter = |shortest: u16| shapes[column..].iter().all(|shape| shape.longest < shortest);
+        !signed && few && column + 1 < shapes.len() && shapes[column].count > 0 && shortest.is_some_and(shorter)
+    };
     for letter in DIMENSION_LETTERS.bytes().filter(|letter| !b"IJK".contains(letter)) {
         match shapes.get(column) {
+            Some(_) if ends(column) => break,
             Some(shape) if shape.count == 0 || alike(shape) => letters[column] = letter,
             _ => break,
         }

@@ -13,7 +13,8 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(found: &Classification, sink: &mut Sink<'_>) {
-    if found.digits().is_none() {
+    // That nothing is written at all is said of the first letter.
+    if found.digits().is_none() && !found.is_empty() {
         let range = match (found.rest.first(), found.rest.last()) {
             (Some(first), Some(last)) => first.1.start..last.1.end,
             _ => found.length..found.length,

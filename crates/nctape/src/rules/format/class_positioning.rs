@@ -12,6 +12,6 @@ pub static RULE: Rule = Rule {
     page: page!("SPEC-02"),
 };
 
-pub(crate) fn check(found: &Classification, sink: &mut Sink<'_>) {
-    super::check_letter(&RULE, found, 0, &[('P', "positioning"), ('L', "positioning and straight cuts")], sink);
+pub(crate) fn check(found: &Classification, sink: &mut Sink<'_>) -> bool {
+    super::check_letter(&RULE, found, 0, &[('P', "positioning"), ('L', "positioning and straight cuts")], sink)
 }

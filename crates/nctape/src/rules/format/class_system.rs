@@ -12,6 +12,6 @@ pub static RULE: Rule = Rule {
     page: page!("SPEC-03"),
 };
 
-pub(crate) fn check(found: &Classification, sink: &mut Sink<'_>) {
-    super::check_letter(&RULE, found, 1, &[('A', "addresses"), ('T', "tabs"), ('S', "addresses and tabs")], sink);
+pub(crate) fn check(found: &Classification, sink: &mut Sink<'_>) -> bool {
+    super::check_letter(&RULE, found, 1, &[('A', "addresses"), ('T', "tabs"), ('S', "addresses and tabs")], sink)
 }

@@ -12,6 +12,6 @@ pub static RULE: Rule = Rule {
     page: page!("SPEC-04"),
 };
 
-pub(crate) fn check(found: &Classification, sink: &mut Sink<'_>) {
-    super::check_letter(&RULE, found, 2, &[('M', "millimetres"), ('I', "inches")], sink);
+pub(crate) fn check(found: &Classification, sink: &mut Sink<'_>) -> bool {
+    super::check_letter(&RULE, found, 2, &[('M', "millimetres"), ('I', "inches")], sink)
 }

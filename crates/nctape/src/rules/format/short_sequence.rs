@@ -7,7 +7,7 @@ use crate::rules::prelude::*;
 pub static RULE: Rule = Rule {
     name: "short-sequence-number-format",
     title: "The detail gives N fewer than three digits.",
-    verdicts: Verdicts::contouring("SPEC-16", Severity::Error).not_rs274(),
+    verdicts: Verdicts::contouring("SPEC-16", Severity::Error),
     clauses: &[Clause::Iso2539("3.3.4.1")],
     page: page!("SPEC-16"),
 };

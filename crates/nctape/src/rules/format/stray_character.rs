@@ -15,8 +15,8 @@ pub static RULE: Rule = Rule {
 pub(crate) fn check(detail: &Detail, control: &Control, sink: &mut Sink<'_>) {
     for range in &detail.stray {
         let message = format!(
-            "{:?} has no meaning here; the detail has letters, +, digits, full stops before letters, and one asterisk at \
-             its end. Take it out.",
+            "{:?} has no meaning here; the detail has letters, digits, at most one of +, D and L before the digits of a \
+             word, full stops before letters, and one asterisk at its end. Take it out.",
             &control.format.detail[range.clone()]
         );
         sink.report(&RULE, range.clone(), message);

@@ -1,6 +1,6 @@
 //! SPEC-10: the full stops of the detail and the system letter disagree.
 
-use crate::format::Detail;
+use crate::format::{Designation, Detail};
 use crate::rules::prelude::*;
 
 /// The rule.
@@ -8,7 +8,7 @@ pub static RULE: Rule = Rule {
     name: "tabs-disagree",
     title: "The full stops of the detail and the system letter disagree.",
     verdicts: Verdicts::all("SPEC-10", Severity::Error).not_rs274(),
-    clauses: &[Clause::Both("D.1"), Clause::Both("C.1.2")],
+    clauses: &[Clause::Both("D.1"), Clause::Both("C.1.2"), Clause::Both("3.3.2")],
     page: page!("SPEC-10"),
 };
 
@@ -18,10 +18,16 @@ pub(crate) fn check(detail: &Detail, control: &Control, sink: &mut Sink<'_>) {
         System::Address => tab,
         System::Tab | System::TabAndAddress => !tab,
     };
-    // The sequence number word has no tab (3.3.2).
-    let words = detail.words.iter().filter(|word| word.address != 'N');
-    let Some(word) = words.into_iter().find(|word| wrong(word.tab)) else { return };
+    // What stands in place of the full stop is the fault then.
+    let is_wrong = |index: usize, word: &Designation| match word.address {
+        'N' => word.tab,
+        _ => wrong(word.tab) && (word.tab || !detail.is_behind_stray(index)),
+    };
+    let Some((_, word)) = detail.words.iter().enumerate().find(|(index, word)| is_wrong(*index, word)) else { return };
     let message = match system {
+        _ if word.address == 'N' => {
+            format!("A full stop stands before {}, but the sequence number has no tab before it.", word.text())
+        }
         System::Address => format!("A full stop stands before {}, but system A has no tabs.", word.text()),
         _ => format!("No full stop stands before {}, but system {} has tabs.", word.text(), system.letter()),
     };

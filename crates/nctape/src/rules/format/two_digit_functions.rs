@@ -7,7 +7,7 @@ use crate::rules::prelude::*;
 pub static RULE: Rule = Rule {
     name: "function-format-not-two",
     title: "G and M have two digits.",
-    verdicts: Verdicts::all("SPEC-18", Severity::Error).not_rs274(),
+    verdicts: Verdicts::all("SPEC-18", Severity::Error),
     clauses: &[Clause::Both("3.3.4.2"), Clause::Both("3.3.4.6")],
     page: page!("SPEC-18"),
 };

@@ -14,5 +14,11 @@ pub static RULE: Rule = Rule {
 
 /// Reports a field by its path.
 pub(crate) fn report(standard: Standard, path: &str, problems: &mut Vec<FormatDiagnostic>) {
-    super::report_field(&RULE, standard, path, "There is no such field in a format; it decides nothing.", problems);
+    super::report_field(
+        &RULE,
+        standard,
+        (path, ""),
+        "There is no such field in a format; it decides nothing.",
+        problems,
+    );
 }

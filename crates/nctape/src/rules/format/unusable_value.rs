@@ -22,5 +22,6 @@ pub(crate) fn report(
     problems: &mut Vec<FormatDiagnostic>,
 ) {
     let message = format!("{} cannot be used here: {allowed} is. The field is taken as not stated.", value.describe());
-    super::report_field(&RULE, standard, path, &message, problems);
+    let text = if let Value::Text(text) = value { text.as_str() } else { "" };
+    super::report_field(&RULE, standard, (path, text), &message, problems);
 }

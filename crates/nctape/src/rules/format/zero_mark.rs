@@ -7,7 +7,7 @@ use crate::rules::prelude::*;
 pub static RULE: Rule = Rule {
     name: "no-zero-mark",
     title: "A three-digit designation neither begins nor ends with 0.",
-    verdicts: Verdicts::all("SPEC-14", Severity::Error).not_rs274(),
+    verdicts: Verdicts::all("SPEC-14", Severity::Error),
     clauses: &[Clause::Both("D.3.1")],
     page: page!("SPEC-14"),
 };

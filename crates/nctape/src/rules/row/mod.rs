@@ -2,7 +2,9 @@
 
 pub(crate) mod blank;
 pub(crate) mod disregarded;
+pub(crate) mod foreign_delete;
 pub(crate) mod label;
+pub(crate) mod no_parity;
 pub(crate) mod odd_block;
 pub(crate) mod parity;
 pub(crate) mod unknown;

@@ -2,6 +2,7 @@
 
 pub(crate) mod axis_feed;
 pub(crate) mod common_feed;
+pub(crate) mod compensation_letter;
 pub(crate) mod contouring_feed;
 pub(crate) mod dimension_order;
 pub(crate) mod letter_for_digit;
