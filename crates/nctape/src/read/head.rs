@@ -14,6 +14,8 @@ pub struct ProgramMark {
     pub number: Range<usize>,
     /// Blocks before it.
     pub blocks_before: usize,
+    /// The last block before it that has a word.
+    pub word_before: Option<usize>,
     /// An end-of-block character stands before it.
     pub behind_end_of_block: bool,
 }

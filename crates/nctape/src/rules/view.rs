@@ -23,10 +23,10 @@ impl TapeView<'_> {
         self.reading.blocks.iter().flat_map(|block| self.reading.words(block).iter().map(move |word| (block, word)))
     }
 
-    /// The block is the end of its program: M02 or M30.
+    /// The program of the block, which goes up to where another one is executed, has its end: M02 or M30.
     pub(crate) fn ends_program(&self, index: usize) -> bool {
         let ends = &self.execution.ends;
-        ends.binary_search_by_key(&index, |end| end.0).is_ok_and(|at| ends[at].1)
+        ends.get(ends.partition_point(|end| end.0 < index)).is_some_and(|end| end.1)
     }
 
     /// The text ends in a comment that nothing closes.

@@ -21,11 +21,21 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
                 .to_owned(),
         );
     }
+    let mut first = 0;
     for &(last, ended) in &tape.execution.ends {
+        let program = std::mem::replace(&mut first, last + 1)..last + 1;
         // Behind a comment that nothing closes there may be one: CTRL-01.
         if ended || last + 1 == tape.reading.blocks.len() && tape.ends_in_comment() {
             continue;
         }
+        // What holds no word is no program, unless there is nothing else.
+        let start = program.start;
+        let holds_word = |index: &usize| !tape.reading.words(&tape.reading.blocks[*index]).is_empty();
+        let last = match program.rev().find(holds_word) {
+            Some(last) => last,
+            None if start > 0 => continue,
+            None => last,
+        };
         let block = &tape.reading.blocks[last];
         let words = tape.reading.words(block);
         // An M that cannot be read may be one; it is reported itself.
