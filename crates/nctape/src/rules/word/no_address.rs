@@ -14,7 +14,7 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
-    if let Some(at) = run_in(word, block) {
+    if let Some(at) = run_in(word, block.words, block.text, block.control) {
         let message = format!(
             "The last digits of {} have no address: the sequence number has {} of them, and behind it the address G is \
              missing. Put it there.",
@@ -36,13 +36,12 @@ pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
 
 /// Where the digits of a preparatory function begin that lost its G and ran into the sequence number before it:
 /// digits of both words, the last of an assigned function, in a block that moves and has no G.
-pub(crate) fn run_in(word: &Word, block: &BlockView<'_>) -> Option<usize> {
+pub(crate) fn run_in(word: &Word, words: &[Word], text: &str, control: &Control) -> Option<usize> {
     if !word.is_sequence() && word.address != 0 {
         return None;
     }
-    let control = block.control;
     let (number, function) = (control.designation(b'N')?.width(), control.designation(b'G')?.width());
-    let head = block.sequence().filter(|_| control.system != System::Tab)?;
+    let head = words.first().filter(|word| word.is_sequence() && control.system != System::Tab)?;
     let widths = u16::from(number) + u16::from(function);
     if (word.from, word.digits, word.fault) != (head.from, widths, NumberFault::None) {
         return None;
@@ -51,10 +50,10 @@ pub(crate) fn run_in(word: &Word, block: &BlockView<'_>) -> Option<usize> {
     let (before, code) = (word.value? / power_of_ten(function), word.value? % power_of_ten(function));
     let assigned = matches!(preparatory(u8::try_from(code).ok()?), Preparatory::Assigned(..));
     let moves = |word: &Word| control.designation(word.address).is_some_and(|word| word.dimension);
-    let has_function = block.words.iter().any(|word| word.address == b'G');
-    if before == 0 || !assigned || has_function || !block.words.iter().any(moves) {
+    let has_function = words.iter().any(|word| word.address == b'G');
+    if before == 0 || !assigned || has_function || !words.iter().any(moves) {
         return None;
     }
-    let mut digits = block.text[word.range()].char_indices().filter(|(_, character)| character.is_ascii_digit());
+    let mut digits = text[word.range()].char_indices().filter(|(_, character)| character.is_ascii_digit());
     digits.nth(usize::from(number)).map(|(at, _)| word.range().start + at)
 }
