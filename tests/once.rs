@@ -78,3 +78,94 @@ fn what_holds_no_word_is_no_program() {
         ("2539", "%\nN001 G00 X+001000\n%\n\n", "TAPE-10@2-19 TAPE-12@22-23"),
     ]);
 }
+
+#[test]
+fn a_faulty_preparatory_function_may_have_been_the_interpolation_code() {
+    check(&[
+        ("2539", "%\nN001 GO1 X+001000 F0300 M30\n", "WORD-14@8-9"),
+        ("2539", "%\nN001 G0l X+001000 F0300 M30\n", "WORD-23@9-10"),
+        ("2539", "%\nN001 G X+001000 F0300 M30\n", "WORD-10@7-8"),
+        ("2539", "%\nN001 G#1 X+001000 F0300 M30\n", "TAPE-08@8-9"),
+        ("2539", "%\nN001 G0.1 X+001000 F0300 M30\n", "NUM-03@9-10"),
+        ("2539", "%\nN001 G05 X+001000 F0300 M30\n", "FUN-01@7-10"),
+        ("2539", "%\nN001 G99 X+001000 F0300 M30\n", "FUN-01@7-10"),
+        ("2539", "%\nN001 G01;X+001000 F0300 M30\n", "TAPE-08@10-11"),
+        ("2539", "%\nN001 01 X+001000 F0300 M30\n", "WORD-11@2-9"),
+        ("2539", "%\nN00101 X+001000 F0300 M30\n", "WORD-11@2-8"),
+        // In an earlier block, too, up to the end of the program.
+        ("2539", "%\nN001 GO1\nN002 X+001000 F0300 M30\n", "WORD-14@8-9"),
+        (
+            "2539",
+            "%\nN001 GO1 X+001000 F0300 M30\n%\nN001 X+001000 F0300 M30\n",
+            "WORD-14@8-9 FUN-05@32-55 MOT-18@32-55",
+        ),
+        // A parameter alone moves nothing.
+        ("2539", "%\nN001 I+000500 M30\n", "MOT-16@7-15"),
+    ]);
+}
+
+#[test]
+fn a_word_that_stands_twice_is_not_out_of_order_too() {
+    check(&[
+        ("2539", "%\nN001 G00 X+001000 Y+001000 X+002000 M30\n", "WORD-05@29-37"),
+        ("1058", "%\nN001 G00 X+001000 Y+001000 X+002000 M30\n", "WORD-06@29-37"),
+        ("2539", "%\nN001 G01 X+001000 G01 F0300 M30\n", "WORD-05@20-23"),
+        ("2539", "%\nN001 G01 G90 M30\n", "WORD-05@11-14"),
+        // Behind it others may still stand out of order.
+        ("2539", "%\nN001 G00 Y+001000 Z+001000 Y+002000 X+001000 M30\n", "WORD-05@29-37 WORD-03@38-46"),
+        // ISO 1058 forbids no second G; that it stands behind a dimension is said then.
+        ("1058", "%\nN001 G00 X+001000 G60 M30\n", "WORD-02@20-23"),
+    ]);
+}
+
+#[test]
+fn a_word_has_one_fault() {
+    check(&[
+        ("2539", "%\nO1234\nN001 M30\n", "WORD-14@2-7"),
+        ("2539", "%\nH01\nN001 M30\n", "WORD-13@2-5"),
+        ("1058", "%\nN001 G01 X+001000 F00300 M30\n", "FEED-07@20-26"),
+        ("1058", "%\nN001 S6000 M03\nN002 M30\n", "FEED-07@7-12"),
+        ("1058", "%\nN001 S600 M03\nN002 M30\n", "FEED-06@7-11"),
+    ]);
+}
+
+#[test]
+fn an_end_of_block_before_the_program_start_is_said_at_the_program_start() {
+    for name in ["2539", "1058", "274"] {
+        check(&[
+            (name, "\n%\nN001 M30\n", "TAPE-04@1-2"),
+            (name, "\n\n\n%\nN001 M30\n", "TAPE-12@1-2 TAPE-12@2-3 TAPE-04@3-4"),
+        ]);
+    }
+    check(&[("2539", "(A))\nN001 M30\n", "CTRL-02@3-4")]);
+}
+
+#[test]
+fn a_slash_without_a_block_skips_nothing() {
+    for name in ["2539", "274"] {
+        check(&[
+            (name, "%\n/\nN001 M30\n", "SKIP-01@2-3"),
+            (name, "%\nN001 M30\n/\n", "SKIP-01@11-12"),
+            (name, "%\nN001 M30\n/", "SKIP-01@11-12"),
+        ]);
+    }
+    check(&[("1058", "%\n/\nN001 M30\n", "SKIP-02@2-3")]);
+}
+
+#[test]
+fn a_character_without_a_row_in_the_code_is_left_off_the_tape() {
+    let mut eia = format("2539");
+    eia.itemized.code = Some(nctape::format::TapeCode::Eia);
+    assert_eq!(said("%\n:001 G00 X+000000 M30\n", &eia), "TAPE-08@2-3");
+    // Annex B has capital letters, whatever the code.
+    assert_eq!(said("%\nn001 g00 x+001000\nn002 m30\n", &eia), "TAPE-09@2-6×5");
+}
+
+#[test]
+fn the_program_number_begins_at_its_first_digit() {
+    check(&[
+        ("2539", "% 12\nN001 M30\n", "TAPE-06@2-4"),
+        ("2539", "% 1 2 \nN001 M30\n", "TAPE-06@2-5"),
+        ("1058", "% 12\nN001 M30\n", "TAPE-07@2-4"),
+    ]);
+}

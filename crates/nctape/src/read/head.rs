@@ -70,7 +70,8 @@ pub(super) fn read_head(text: &str, start: usize, control: &Control, strays: &mu
             }
             Mark::Character('0'..='9') if number_may_follow => {
                 if let Some((_, number)) = &mut head.mark {
-                    number.end = character.to;
+                    let start = if number.start == number.end { character.from } else { number.start };
+                    *number = start..character.to;
                 }
             }
             Mark::Character('(') => {

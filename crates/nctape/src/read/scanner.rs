@@ -214,6 +214,10 @@ impl Scanner<'_> {
             }
             'A'..='Z' | 'a'..='z' | ':' => {
                 self.finish_word();
+                // RS-244 has no row for it.
+                if character == ':' && self.control.code.row(':').is_none() {
+                    self.stray(StrayKind::Foreign(':'), from, to);
+                }
                 self.start_word(character.to_ascii_uppercase() as u8, from, to);
                 if let Some(word) = &mut self.word {
                     word.lower_case = character.is_ascii_lowercase();

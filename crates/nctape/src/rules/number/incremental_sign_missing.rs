@@ -7,7 +7,7 @@ use crate::rules::prelude::*;
 pub static RULE: Rule = Rule {
     name: "incremental-word-without-sign",
     title: "An incremental word has no sign.",
-    verdicts: Verdicts::contouring("NUM-11", Severity::Warning).not_rs274().and_iso1058("NUM-10", Severity::Error),
+    verdicts: Verdicts::contouring("NUM-11", Severity::Warning).and_iso1058("NUM-10", Severity::Error),
     clauses: &[Clause::Both("3.3.3.4.3")],
     page: page!("NUM-11"),
 };
