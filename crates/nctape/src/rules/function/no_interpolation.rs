@@ -20,7 +20,7 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     let Some(event) = found.next() else { return };
     let block = &tape.reading.blocks[event.block];
     let words = tape.reading.words(block);
-    let run_in = |word| no_address::run_in(word, words, &tape.text[block.range.clone()], tape.control);
+    let run_in = |word| no_address::run_into_number(word, words, &tape.text[block.range.clone()], tape.control);
     // Its code ran into the sequence number: WORD-11.
     if words.first().and_then(run_in).is_some() {
         return;

@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     // Digits that lost their address: WORD-11.
-    let run_in = crate::rules::word::no_address::run_in(word, block.words, block.text, block.control).is_some();
+    let run_in = crate::rules::word::no_address::run_in(word, block).is_some();
     if is_wrong(word, block.control.standard()) && !run_in {
         let wanted = if block.control.standard() == Standard::Iso1058 { "exactly 3" } else { "at least 3" };
         let short = word.digits < 3;

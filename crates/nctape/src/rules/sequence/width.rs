@@ -18,7 +18,7 @@ pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let Some(designation) = block.control.designation(b'N') else { return };
     let wanted = u16::from(designation.width());
     let named = super::digits::is_wrong(word, block.control.standard());
-    let named = named || crate::rules::word::no_address::run_in(word, block.words, block.text, block.control).is_some();
+    let named = named || crate::rules::word::no_address::run_in(word, block).is_some();
     if word.is_sequence() && word.fault == NumberFault::None && word.digits != wanted && !named {
         let message = format!(
             "{} has {}; this format wants {wanted} ({}). Write as many.",

@@ -16,7 +16,7 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         let block = &tape.reading.blocks[index];
         // Behind a program without its end % starts no other one: TAPE-05.
         let before = (0..index).rfind(|&before| !tape.reading.words(&tape.reading.blocks[before]).is_empty());
-        if before.is_some_and(|before| !tape.ends_program(before)) {
+        if before.is_some_and(|before| !tape.ends_program(before..index)) {
             continue;
         }
         // An end of block that stands before the program start character is there, but too early: TAPE-04.

@@ -19,7 +19,7 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         // Between programs that each have their end it starts the next one; at the end of the tape it is never rewound
         // over.
         let behind = last.is_some_and(|last| last >= mark.blocks_before);
-        if mark.word_before.is_some_and(|before| behind && !tape.ends_program(before)) {
+        if mark.word_before.is_some_and(|before| behind && !tape.ends_program(before..mark.blocks_before)) {
             report(mark.range.clone(), sink);
         }
     }

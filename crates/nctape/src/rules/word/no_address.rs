@@ -14,7 +14,7 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
-    if let Some(at) = run_in(word, block.words, block.text, block.control) {
+    if let Some(at) = run_in(word, block) {
         let message = format!(
             "The last digits of {} have no address: the sequence number has {} of them, and behind it the address G is \
              missing. Put it there.",
@@ -36,7 +36,12 @@ pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
 
 /// Where the digits of a preparatory function begin that lost its G and ran into the sequence number before it:
 /// digits of both words, the last of an assigned function, in a block that moves and has no G.
-pub(crate) fn run_in(word: &Word, words: &[Word], text: &str, control: &Control) -> Option<usize> {
+pub(crate) fn run_in(word: &Word, block: &BlockView<'_>) -> Option<usize> {
+    run_into_number(word, block.words, block.text, block.control)
+}
+
+/// The same of the words of a block and its text.
+pub(crate) fn run_into_number(word: &Word, words: &[Word], text: &str, control: &Control) -> Option<usize> {
     if !word.is_sequence() && word.address != 0 {
         return None;
     }
