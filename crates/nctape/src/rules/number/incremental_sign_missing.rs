@@ -14,6 +14,10 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let Some(designation) = block.control.designation(word.address).filter(|word| word.dimension) else { return };
+    // Zero has no direction.
+    if super::is_short_zero(word, designation) {
+        return;
+    }
     if designation.sign == Sign::Incremental && word.sign.is_none() && word.fault == NumberFault::None {
         let reading = match block.control.standard() {
             Standard::Iso1058 => "the sign is compulsory",
