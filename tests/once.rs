@@ -169,3 +169,90 @@ fn the_program_number_begins_at_its_first_digit() {
         ("1058", "% 12\nN001 M30\n", "TAPE-07@2-4"),
     ]);
 }
+
+#[test]
+fn what_lost_its_control_out_is_of_the_comment() {
+    check(&[
+        ("2539", "*SETUP)N001G01*\nN002 M30\n", "CTRL-02@6-7"),
+        ("2539", "%\nN001 G01 STEP 1 DIA 5) X+001000 F0300 M30\n", "CTRL-02@23-24"),
+        ("2539", "%\nSETUP \u{1F600}) N001 M30\n", "TAPE-08@8-12 CTRL-02@12-13"),
+        // Sound words are read: the ) itself is too much.
+        ("2539", "%\nN001 G01 X+001000) Y+001000 F0300 M30\n", "CTRL-02@19-20"),
+        ("2539", "%\nN001 G X+001000) F0300 M30\n", "WORD-10@7-8 CTRL-02@17-18"),
+        // A comment that ended too early.
+        ("2539", "*(A (B) C)N001G01*\nN002 M30\n", "CTRL-05@4-5"),
+        ("2539", "%\nN001 (A (B) AND C) G01 X+001000 F0300 M30\n", "CTRL-05@10-11"),
+        // One that ran over a line end into the comment of the next block.
+        ("2539", "%\nN001 G01 (SETUP\n(B) N002 M30\n", "CTRL-06@11-12"),
+        ("2539", "%\nN001 G01 (SETUP\nN002 X+001000 F0300\n(B) N003 M30\n", "CTRL-06@11-12×2"),
+    ]);
+}
+
+#[test]
+fn a_comment_that_swallowed_the_end_code_is_the_fault() {
+    check(&[
+        ("2539", "%\n(ABC\nN001 G01\nN002 M30 (END)\n", "CTRL-06@2-3×2 TAPE-12@2-31"),
+        ("2539", "%\nN001 G00 X+001000 (A\nN002 G00 Y+001000 (B)\n", "TAPE-10@2-19 CTRL-06@20-21"),
+    ]);
+}
+
+#[test]
+fn a_label_is_passed_over() {
+    for name in ["2539", "1058", "274"] {
+        check(&[
+            (name, "PLATE 12\n%\nN001 M30\n", "TAPE-08@0-8"),
+            (name, "PLATE 12\n\nSIDE A (LEFT)\n%\nN001 M30\n", "TAPE-08@0-23"),
+            (name, "PLATE 12\nN001 M30\n", "TAPE-08@0-8"),
+            (name, "%PROG1\nN001 M30\n", "TAPE-08@1-6"),
+            (name, "%PART A (LEFT) B C D\nN001 M30\n", "TAPE-08@1-7 TAPE-08@15-20"),
+            (name, "\u{1F600}\n%\nN001 M30\n", "TAPE-08@0-4"),
+        ]);
+    }
+    check(&[
+        ("2539", "%N001 G00 X+001000 M30\n", "TAPE-01@1-22"),
+        ("2539", "%12 PLATE\nN001 M30\n", "TAPE-06@1-3 TAPE-08@4-9"),
+    ]);
+}
+
+#[test]
+fn outside_of_the_program_text_and_comments_are_free() {
+    for name in ["2539", "1058", "274"] {
+        check(&[
+            (name, "%\nN001 M30\n(50%:)\n", "TAPE-12@11-18"),
+            (name, "%\nN001 M30\n(50%:)", ""),
+            (name, "%\nN001 M30\n%\n(50%:)\n", "TAPE-12@13-20"),
+            (name, "%\nN001 M30\n(5%)\n%\n(6%)\nN002 M30\n", "TAPE-12@11-16 TAPE-12@18-23 CTRL-04@20-21"),
+            (name, "%\nN001 M30\nGARBAGE\n", "TAPE-11@11-18"),
+            (name, "%\nN001 M30\nEND OF TOOL TAPE", "TAPE-11@11-27"),
+            (name, "%\nN001 M30\nN002 G01 X\n", "TAPE-11@11-21"),
+            (name, "%\nN001 M30\nTHE END!\n", "TAPE-11@11-18 TAPE-08@18-19"),
+        ]);
+    }
+    // A block that may have been meant is checked.
+    check(&[("2539", "%\nN001 M30\nN002 M3\n", "TAPE-11@11-18 NUM-17@16-18")]);
+}
+
+#[test]
+fn a_system_without_addresses_counts_its_tabs_once() {
+    check(&[
+        ("2539 T", "%\n\t001\t01\t+015000\t+015000\t0300\n002\t\t\t\t\t30\n", "SEQ-06@2-3"),
+        ("1058 T", "%\n\t001\t01\t+015000\t+015000\t0300\n002\t\t\t\t\t30\n", "SEQ-06@2-3"),
+        // No sequence number, and a tab in its place.
+        ("1058 T", "%\n\t01\t+015000\t+015000\t0300\n002\t\t\t\t\t30\n", ""),
+        // Zero is one zero at least.
+        ("2539 T", "%\n001\t01\t0\t0\t0300\n002\t\t+015000\t+0\t\t30\n", ""),
+        ("1058 T", "%\n001\t00\t0\t000\t0300\n002\t\t+015000\t+015000\t\t30\n", ""),
+        ("2539 T", "%\n001\t01\t0000000\t0\t0300\n002\t\t\t\t\t30\n", "NUM-02@9-16"),
+        // The end code in the wrong column.
+        ("2539 T", "%\n001\t01\t+015000\t\t0300\n002\t\t\t\t30\n", "TAB-02@30-32"),
+        ("2539 T", "%\n001\t01\t+015000\t\t0300\n002\t\t\t\t\t\t30\n", "TAB-03@31-32"),
+        ("2539 S", "%\nN001\t\t\t\t\t\t\t\tM30\n", "TAB-03@11-12"),
+        // A tab that is lost before a sign.
+        ("2539 T", "%\n001\t01\t+015000+015000\t0300\n002\t\t\t\t\t30\n", "TAB-02@16-23"),
+        ("2539 T", "%\n001\t01\t+0150+00\t+015000\t0300\n002\t\t\t\t\t30\n", "NUM-13@14-15"),
+        ("2539 T", "%\n001\t01\t+015000+00\t0300\n002\t\t\t\t\t30\n", "NUM-13@16-17"),
+        // Addresses where the columns tell the words. A colon stands for N and is not told by the column.
+        ("2539 T", "%\nN001\tG00\tX+015000\tY+015000\n002\t\t\t\t\tM30\n", "TAB-09@2-3×5"),
+        ("2539 T", "%\n:001\t00\t+015000\t+015000\t\t30\n", ""),
+    ]);
+}

@@ -91,6 +91,12 @@ impl Reading {
         })
     }
 
+    /// The byte where the program with a number begins: its program start character.
+    pub(crate) fn program_start(&self, program: u32) -> usize {
+        let head = self.heads.partition_point(|head| head.program < program);
+        self.heads.get(head).map_or(0, |head| head.start)
+    }
+
     /// For each program whose first block is not preceded by an end of block, that block. One without a word gives the
     /// end of block to those behind it.
     pub(crate) fn unled(&self) -> impl Iterator<Item = usize> {

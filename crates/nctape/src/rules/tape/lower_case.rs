@@ -15,7 +15,8 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     if !tape.seen.any(Traits::LOWER_CASE) {
         return;
     }
-    let mut found = tape.words().filter(|(_, word)| word.lower_case);
+    // A letter without digits is no address: WORD-10, or a text.
+    let mut found = tape.words().filter(|(_, word)| word.lower_case && word.fault != NumberFault::Empty);
     let Some((block, word)) = found.next() else { return };
     let (mut count, mut last) = (1, (block, word));
     for other in found {
