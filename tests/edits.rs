@@ -28,6 +28,22 @@ fn so_does_one_that_is_executed_from_a_mark_on() {
 }
 
 #[test]
+fn whether_the_text_begins_with_a_label_may_hang_on_what_stands_far_behind_it() {
+    let text = "PLATE\nSIDE A (B)\n\nFACE C\n%\nN001 G00 X+001000\nN002 M30\n";
+    let mut tape = Tape::new(text, &formats()[0]);
+    for at in 0..text.len() {
+        for (removed, insert) in [(1, ""), (0, "%"), (0, "\n"), (0, "N5 "), (0, "("), (0, ")"), (0, "AB")] {
+            tape.edit(at..at + removed, insert);
+            let fresh = Tape::new(tape.text(), &formats()[0]);
+            assert_eq!(dump(&tape), dump(&fresh), "{:?}", tape.text());
+            tape.edit(at..at + insert.len(), &text[at..at + removed]);
+            assert_eq!(tape.text(), text);
+            assert_eq!(dump(&tape), dump(&Tape::new(text, &formats()[0])), "back from {at}, {insert:?}");
+        }
+    }
+}
+
+#[test]
 fn the_rows_of_a_stretch_are_those_of_the_whole() {
     let tape = Tape::new(&tape(40), &formats()[0]);
     let rows = tape.rows();

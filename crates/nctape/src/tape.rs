@@ -125,7 +125,7 @@ impl Tape {
         if !foreign {
             rules::check_tape(&view, &mut sink);
         }
-        self.findings = Findings::new(found, &self.reading, foreign);
+        self.findings = Findings::new(found, &self.reading, &self.execution, foreign);
     }
 
     /// The text.

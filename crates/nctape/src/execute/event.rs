@@ -13,8 +13,8 @@ pub(crate) struct Event {
 /// What was noted.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum EventKind {
-    /// Motion before any interpolation code.
-    NoInterpolation,
+    /// Motion before any interpolation code. `lost`: a preparatory function before it was reported, and may have been it.
+    NoInterpolation { lost: bool },
     /// Cutting motion with no feed, or feed zero.
     NoFeed,
     /// Time-reciprocal coding: cutting motion without an F of its own.

@@ -104,7 +104,7 @@ pub(crate) fn feed_fault(word: &Word, control: &Control, coding: FeedCoding) -> 
     let code = word.value?;
     match coding {
         FeedCoding::Symbolic => unlisted(control.format.itemized.symbolic_feeds.as_ref(), code),
-        FeedCoding::Arithmetic => second_digit_zero(code, word.digits),
+        FeedCoding::Arithmetic => second_digit_zero(code, word, control),
         FeedCoding::Geometric | FeedCoding::Direct | FeedCoding::TimeReciprocal => None,
     }
 }
@@ -114,7 +114,7 @@ pub(crate) fn speed_fault(word: &Word, control: &Control) -> Option<CodeFault> {
     let code = word.value?;
     match control.spindle {
         SpindleCoding::Symbolic => unlisted(control.format.itemized.symbolic_speeds.as_ref(), code),
-        SpindleCoding::Arithmetic => second_digit_zero(code, word.digits),
+        SpindleCoding::Arithmetic => second_digit_zero(code, word, control),
         SpindleCoding::Geometric => (code == 99 && word.digits == 2).then_some(CodeFault::Rapid),
         SpindleCoding::Direct => None,
     }
@@ -124,8 +124,11 @@ fn unlisted(table: Option<&std::collections::BTreeMap<String, f64>>, code: i64) 
     table.and_then(|table| symbolic(table, code)).is_none().then_some(CodeFault::Unlisted)
 }
 
-fn second_digit_zero(code: i64, digits: u16) -> Option<CodeFault> {
-    ((3..=5).contains(&digits) && arithmetic(code, digits).is_none()).then_some(CodeFault::SecondDigitZero)
+/// Of a code that has its digits; where it has not, that is what is wrong with it (FEED-07).
+fn second_digit_zero(code: i64, word: &Word, control: &Control) -> Option<CodeFault> {
+    let whole = control.designation(word.address).is_some_and(|it| u16::from(it.width()) == word.digits);
+    let zero = whole && (3..=5).contains(&word.digits) && arithmetic(code, word.digits).is_none();
+    zero.then_some(CodeFault::SecondDigitZero)
 }
 
 /// The value of a symbolic code: the table may write "7" or "07".

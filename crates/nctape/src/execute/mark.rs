@@ -21,6 +21,7 @@ pub(super) struct Carried {
     pub position: Position,
     pub pending: Option<Pending>,
     pub lost: u32,
+    pub lost_function: bool,
     /// There was a span before.
     pub moved: bool,
     /// The program has ended.

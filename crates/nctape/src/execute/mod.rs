@@ -42,9 +42,13 @@ pub(crate) struct Held {
 fn run_block(state: &mut State<'_>, index: usize, block: &Block, words: &[Word]) -> bool {
     let mut ended = false;
     state.begin_block(index);
-    if block.traits.any(Traits::address(b'G')) {
-        for code in words.iter().filter_map(|word| word.function(b'G')) {
-            state.take_preparatory(code);
+    // Digits without an address may be those of any word.
+    if block.traits.any(Traits::address(b'G').with(Traits::address(0))) {
+        for word in words {
+            match word.function(b'G') {
+                Some(code) => state.take_preparatory(code),
+                None => state.lost_function |= matches!(word.address, b'G' | 0),
+            }
         }
     }
     for (place, word) in words.iter().enumerate() {

@@ -16,7 +16,9 @@ impl State<'_> {
             return;
         }
         let motion = self.motion.unwrap_or_else(|| {
-            self.note(EventKind::NoInterpolation);
+            if self.addressed {
+                self.note(EventKind::NoInterpolation { lost: self.lost_function });
+            }
             // A positioning control positions; a contouring one is taken to interpolate, so that the path is seen.
             if self.control.standard() == Standard::Iso1058 { Motion::Rapid } else { Motion::Line { thread: false } }
         });

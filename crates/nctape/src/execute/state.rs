@@ -89,6 +89,9 @@ pub(crate) struct State<'a> {
     lost_at_start: u32,
     motionless: bool,
     preload: bool,
+    /// A preparatory function could not be read or is not assigned, and was reported: it may have been the
+    /// interpolation code.
+    pub lost_function: bool,
 
     pub spans: Spans,
     pub events: Vec<Event>,
@@ -124,6 +127,7 @@ impl<'a> State<'a> {
             lost_at_start: 0,
             motionless: false,
             preload: false,
+            lost_function: false,
             spans: Spans::new(axes),
             events: Vec::new(),
             moved_before: false,
@@ -158,6 +162,8 @@ impl<'a> State<'a> {
             position: self.position,
             pending: self.pending,
             lost: self.lost,
+            // Once there is an interpolation code it is no matter.
+            lost_function: self.lost_function && motion.is_none(),
             moved: self.moved(),
             ended: false,
         }
@@ -170,6 +176,7 @@ impl<'a> State<'a> {
         (self.feed, self.speed, self.cutting_speed, self.any_speed) = (feed, speed, cutting_speed, any_speed);
         (self.coding, self.unit) = (coding, unit);
         (self.position, self.pending, self.lost) = (carried.position, carried.pending, carried.lost);
+        self.lost_function = carried.lost_function;
         self.moved_before = carried.moved;
     }
 
@@ -278,6 +285,7 @@ impl<'a> State<'a> {
         if stated.curves.as_ref().is_some_and(|curves| curves.contains_key(&name)) {
             self.set_motion(Motion::Curve);
         } else if stated.declared.as_ref().is_none_or(|declared| !declared.g.contains_key(&name)) {
+            self.lost_function = true;
             return;
         }
         self.note(EventKind::NotCarriedOut(Limit::Function(code)));

@@ -174,6 +174,10 @@ impl Reading {
 
     /// Where reading starts again: heads and blocks that stay, the byte, and what begins there.
     fn restart(&self, at: usize) -> (usize, usize, usize, Place) {
+        // Whether the text begins with a label may hang on what stands far behind it.
+        if self.heads.first().is_some_and(|head| at <= head.looked) {
+            return (0, 0, 0, Place::Head);
+        }
         let head = self.heads.partition_point(|head| head.start < at).saturating_sub(1);
         let first = self.heads.get(head).map_or(0, |head| head.blocks_before);
         match self.blocks.partition_point(|block| block.range.start < at).checked_sub(1) {
@@ -211,6 +215,7 @@ impl Reading {
         }
         for head in &mut self.heads[tail.head..] {
             head.start = change.after(head.start);
+            head.looked = change.after(head.looked);
             head.row = head.row.wrapping_add(rows);
             head.blocks_before = head.blocks_before.wrapping_add(blocks);
             head.program = head.program.wrapping_add(programs);

@@ -6,6 +6,7 @@
 mod block;
 mod edit;
 mod head;
+mod label;
 pub(crate) mod number;
 mod reader;
 mod reading;

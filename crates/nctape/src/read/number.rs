@@ -55,6 +55,12 @@ impl Number {
         }
     }
 
+    /// It is nothing but zeros, and no more of them than its dimension word has digits.
+    pub(crate) fn is_zero_of(&self, designation: Option<&Designation>) -> bool {
+        let width = designation.filter(|word| word.dimension).map_or(0, |word| u16::from(word.width()));
+        self.fault == NumberFault::None && (1..=width).contains(&self.digits) && self.magnitude == 0
+    }
+
     /// The value of the number under a designation: `None` where its digits do not say it.
     ///
     /// A number with all its digits is exact. With fewer, it is read only where the designation lets those zeros be

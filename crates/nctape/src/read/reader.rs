@@ -93,6 +93,7 @@ impl<'a> Reader<'a> {
             row: self.row,
             mark: head.mark,
             led: head.led,
+            looked: head.looked,
             blocks_before: self.blocks,
             program: self.program,
         });

@@ -79,20 +79,31 @@ impl Reading {
 
     /// The program start characters, in order.
     pub fn programs(&self) -> impl Iterator<Item = ProgramMark> {
-        let mut led = false;
+        let (mut led, mut seen, mut word_before) = (false, 0, None);
         self.heads.iter().filter_map(move |head| {
-            let behind_end_of_block = led || head.blocks_before > 0;
+            let blocks_before = head.blocks_before;
+            let behind_end_of_block = led || blocks_before > 0;
             led |= head.led;
+            let worded = (seen..blocks_before).rfind(|&index| !self.blocks[index].words.is_empty());
+            (seen, word_before) = (blocks_before, worded.or(word_before));
             let (range, number) = head.mark.clone()?;
-            Some(ProgramMark { range, number, blocks_before: head.blocks_before, behind_end_of_block })
+            Some(ProgramMark { range, number, blocks_before, word_before, behind_end_of_block })
         })
     }
 
-    /// For each program whose first block is not preceded by an end of block, that block.
+    /// The byte where the program with a number begins: its program start character.
+    pub(crate) fn program_start(&self, program: u32) -> usize {
+        let head = self.heads.partition_point(|head| head.program < program);
+        self.heads.get(head).map_or(0, |head| head.start)
+    }
+
+    /// For each program whose first block is not preceded by an end of block, that block. One without a word gives the
+    /// end of block to those behind it.
     pub(crate) fn unled(&self) -> impl Iterator<Item = usize> {
         let next = self.heads.iter().skip(1).map(|head| head.blocks_before).chain([self.blocks.len()]);
         let heads = self.heads.iter().zip(next);
-        heads.filter(|(head, next)| !head.led && head.blocks_before < *next).map(|(head, _)| head.blocks_before)
+        let first = heads.filter(|(head, next)| !head.led && head.blocks_before < *next);
+        first.map(|(head, _)| head.blocks_before).filter(|&first| !self.blocks[first].words.is_empty())
     }
 
     /// The stretches of a text of some length that belong to no block.

@@ -2,7 +2,7 @@
 
 use super::number::{Number, NumberFault};
 use super::word::Word;
-use crate::format::{Control, System, Zeros};
+use crate::format::{Control, Sign, System, Zeros};
 use crate::text::{Listing, Mark};
 
 /// A character that belongs to no word.
@@ -31,6 +31,12 @@ pub(crate) enum StrayKind {
     InComment(char),
     /// `)` without `(`.
     ControlIn,
+    /// What stands before such a `)` and reads like a comment that lost its `(`.
+    LostComment,
+    /// Letters for people before the first end of block of the tape, which a control passes over.
+    Label,
+    /// The same between the program start and the end of block behind it.
+    LabelBehindStart,
     /// `(` in a comment.
     NestedControlOut,
     /// `:` or `%` in a comment.
@@ -102,6 +108,7 @@ pub(crate) fn scan(
         number_column: 0,
         column: 0,
         skip: None,
+        since: start,
         comment: None,
         any_comment: false,
         any_word: false,
@@ -177,6 +184,8 @@ struct Scanner<'a> {
     /// Tabs since the start of the block.
     column: usize,
     skip: Option<usize>,
+    /// Where the last comment ended; the start of the block where there was none.
+    since: usize,
     /// The `(` of the open comment.
     comment: Option<usize>,
     any_comment: bool,
@@ -191,6 +200,8 @@ struct Open {
     address: u8,
     lower_case: bool,
     by_column: bool,
+    /// It follows another number without a tab: see `split_columns`.
+    split: bool,
     tabs: u16,
     number: Number,
     from: usize,
@@ -205,8 +216,12 @@ impl Scanner<'_> {
                 self.comment = Some(from);
                 self.any_comment = true;
             }
-            ')' if self.comment.take().is_some() => {}
-            ')' => self.stray(StrayKind::ControlIn, from, to),
+            ')' if self.comment.take().is_some() => self.since = to,
+            ')' => {
+                self.give_up_comment(from);
+                self.stray(StrayKind::ControlIn, from, to);
+                self.since = to;
+            }
             '0'..='9' => {
                 let word = self.open(from);
                 word.number.push_digit(character as u8 - b'0');
@@ -214,12 +229,17 @@ impl Scanner<'_> {
             }
             'A'..='Z' | 'a'..='z' | ':' => {
                 self.finish_word();
+                // RS-244 has no row for it.
+                if character == ':' && self.control.code.row(':').is_none() {
+                    self.stray(StrayKind::Foreign(':'), from, to);
+                }
                 self.start_word(character.to_ascii_uppercase() as u8, from, to);
                 if let Some(word) = &mut self.word {
                     word.lower_case = character.is_ascii_lowercase();
                 }
             }
             '+' | '-' => {
+                self.split_columns(from);
                 let offset = (from - self.start) as u32;
                 let word = self.open(from);
                 word.number.push_sign(character as u8, offset);
@@ -261,6 +281,39 @@ impl Scanner<'_> {
         }
     }
 
+    /// Takes words back that stand before a `)` without its `(` and read like a comment: from the first one on that is
+    /// no word at all, if most are none. Sound words stay: there the `)` itself is what is too much.
+    fn give_up_comment(&mut self, control_in: usize) {
+        self.finish_word();
+        let since = (self.since - self.start) as u32;
+        let tabs = self.control.system == System::Tab;
+        let bare = |word: &Word| match word.address {
+            0 => !tabs,
+            _ => word.fault == NumberFault::Empty && !word.by_column,
+        };
+        let first = self.first_word;
+        let lost = self.own_words().iter().position(|word| word.from >= since && bare(word));
+        let Some(lost) = lost.map(|lost| first + lost) else { return };
+        let words = &self.words[lost..];
+        if 2 * words.iter().filter(|word| bare(word)).count() <= words.len() {
+            return;
+        }
+        let from = words[0].from;
+        self.words.truncate(lost);
+        self.strays.retain_mut(|stray| match stray.kind {
+            _ if stray.from < from => true,
+            StrayKind::Foreign(character) => {
+                stray.kind = StrayKind::InComment(character);
+                self.control.code.row(character).is_none()
+            }
+            _ => false,
+        });
+        self.any_word = self.words.len() > first;
+        self.tabs = 0;
+        self.column = self.own_words().iter().map(|word| usize::from(word.tabs)).sum();
+        self.stray(StrayKind::LostComment, self.start + from as usize, control_in);
+    }
+
     /// The word being read; where there is none, one without an address begins, or with the address of the tab
     /// column in a T system.
     fn open(&mut self, from: usize) -> &mut Open {
@@ -290,6 +343,7 @@ impl Scanner<'_> {
             address: last.address,
             lower_case: last.lower_case,
             by_column: false,
+            split: false,
             tabs: last.tabs,
             number: Number::EMPTY,
             from: self.start + last.from as usize,
@@ -302,6 +356,28 @@ impl Scanner<'_> {
         true
     }
 
+    /// A sign behind all the digits of a column begins the number of the next one, which lost its tab.
+    fn split_columns(&mut self, from: usize) {
+        let words = &self.control.detail.words;
+        let whole = |open: &Open| {
+            let (number, column) = (&open.number, words.get(self.number_column));
+            let whole = column.is_some_and(|column| column.fits(number.sign, number.digits));
+            open.by_column && number.digits > 0 && number.fault == NumberFault::None && whole
+        };
+        if !self.word.as_ref().is_some_and(whole) {
+            return;
+        }
+        let next = words.get(self.column + 1).filter(|next| next.dimension && next.sign != Sign::Positive);
+        let Some(address) = next.map(|next| next.address as u8) else { return };
+        self.finish_word();
+        self.start_word(address, from, from);
+        if let Some(word) = &mut self.word {
+            (word.by_column, word.split) = (true, true);
+        }
+        self.column += 1;
+        self.number_column = self.column;
+    }
+
     /// The words of this block so far.
     fn own_words(&self) -> &[Word] {
         &self.words[self.first_word..]
@@ -310,11 +386,12 @@ impl Scanner<'_> {
     fn start_word(&mut self, address: u8, from: usize, to: usize) {
         let tabs = std::mem::take(&mut self.tabs);
         self.any_word = true;
-        self.word = Some(Open { address, lower_case: false, by_column: false, tabs, number: Number::EMPTY, from, to });
+        let number = Number::EMPTY;
+        self.word = Some(Open { address, lower_case: false, by_column: false, split: false, tabs, number, from, to });
     }
 
     fn finish_word(&mut self) {
-        let Some(open) = self.word.take() else { return };
+        let Some(mut open) = self.word.take() else { return };
         let mut number = open.number;
         if number.digits == 0 {
             number.fail(NumberFault::Empty);
@@ -322,7 +399,19 @@ impl Scanner<'_> {
         if self.join_letter(&open) {
             return;
         }
-        if open.by_column && number.fault == NumberFault::None && self.strays_column(&number, open.tabs) {
+        if self.is_sequence_behind_tab(&open) {
+            open.address = b'N';
+            (self.column, self.number_column) = (0, 0);
+        }
+        let designation = self.control.designation(open.address);
+        // Without addresses a number of zeros alone is one zero at least (3.3.1).
+        let zero = open.by_column && number.is_zero_of(designation);
+        if open.split {
+            let fits = designation.is_some_and(|column| column.fits(number.sign, number.digits));
+            let offset = (open.from - self.start) as u32;
+            number.fail(if fits { NumberFault::Column } else { NumberFault::SignInside(offset) });
+        } else if open.by_column && !zero && number.fault == NumberFault::None && self.strays_column(&number, open.tabs)
+        {
             number.fail(NumberFault::Column);
         }
         self.words.push(Word {
@@ -333,10 +422,21 @@ impl Scanner<'_> {
             sign: number.sign,
             digits: number.digits,
             fault: number.fault,
-            value: number.value(self.control.designation(open.address)),
+            value: if zero { Some(0) } else { number.value(designation) },
             from: (open.from - self.start) as u32,
             to: (open.to - self.start) as u32,
         });
+    }
+
+    /// The first number of a block behind a tab, in a T system, that has the digits of a sequence number and not those of
+    /// its column.
+    fn is_sequence_behind_tab(&self, open: &Open) -> bool {
+        let words = &self.control.detail.words;
+        let first = open.by_column && open.tabs > 0 && self.words.len() == self.first_word;
+        let fits =
+            |column: usize| words.get(column).is_some_and(|word| word.fits(open.number.sign, open.number.digits));
+        let headed = words.first().is_some_and(|word| word.address == 'N');
+        first && headed && open.number.fault == NumberFault::None && fits(0) && !fits(self.number_column)
     }
 
     /// A number whose digits do not fit its column, but those of the column beside it: a tab too few before it, or one

@@ -88,6 +88,7 @@ pub static ALL: &[&Rule] = &[
     &tab::behind_address::RULE,
     &tab::sign_only::RULE,
     &tab::other_column::RULE,
+    &tab::address_in_tab_system::RULE,
     &number::wrong_count::RULE,
     &number::too_many::RULE,
     &number::decimal_sign::RULE,
@@ -279,6 +280,7 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     tab::missing::check(tape, sink);
     tab::mixed::check(tape, sink);
     tab::other_column::check(tape, sink);
+    tab::address_in_tab_system::check(tape, sink);
     function::no_interpolation::check(tape, sink);
     function::not_carried_out::check(tape, sink);
     motion::too_many_axes::check_positioning(tape, sink);

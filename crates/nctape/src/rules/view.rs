@@ -23,10 +23,11 @@ impl TapeView<'_> {
         self.reading.blocks.iter().flat_map(|block| self.reading.words(block).iter().map(move |word| (block, word)))
     }
 
-    /// The block is the end of its program: M02 or M30.
-    pub(crate) fn ends_program(&self, index: usize) -> bool {
+    /// A program with its end, M02 or M30, goes from a block or one before it up to another block.
+    pub(crate) fn ends_program(&self, blocks: Range<usize>) -> bool {
         let ends = &self.execution.ends;
-        ends.binary_search_by_key(&index, |end| end.0).is_ok_and(|at| ends[at].1)
+        let end = ends.get(ends.partition_point(|end| end.0 < blocks.start));
+        end.is_some_and(|&(last, ended)| ended && last < blocks.end)
     }
 
     /// The text ends in a comment that nothing closes.

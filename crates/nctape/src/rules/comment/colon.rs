@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
-    for stray in block.strays.iter().filter(|stray| stray.kind == StrayKind::Reserved(':')) {
+    for stray in super::strays(block).filter(|stray| stray.kind == StrayKind::Reserved(':')) {
         sink.report(
             &RULE,
             stray.range(),

@@ -15,7 +15,7 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     // Where a comment has swallowed blocks, their comments are nested in it: CTRL-06.
-    let nested = block.strays.iter().filter(|stray| {
+    let nested = super::strays(block).filter(|stray| {
         stray.kind == StrayKind::NestedControlOut && !super::swallowed::holds(stray.range().start, block)
     });
     for (index, stray) in nested.enumerate() {

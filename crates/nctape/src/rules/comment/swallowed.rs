@@ -14,16 +14,22 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
-    for (at, end, count) in found(block) {
+    for Swallowed { at, end, count, joined } in found(block) {
         let what = if count == 1 {
             "what looks like a block".to_owned()
         } else {
             format!("{count} lines that look like blocks")
         };
-        let message = format!(
-            "The comment that begins here runs over {what}, which the control ignores. If they are to be executed, close \
-             the comment before them."
-        );
+        let message = if joined {
+            "The comment that begins here runs over a line end and ends in the comment of the next block, which the \
+             control reads as part of this one. Close the comment at the end of its line."
+                .to_owned()
+        } else {
+            format!(
+                "The comment that begins here runs over {what}, which the control ignores. If they are to be executed, \
+                 close the comment before them."
+            )
+        };
         sink.report(&RULE, at..at + 1, message)
             .count(count)
             .fix(|| Fix::replace("Close it at the end of the line", end..end, ")"));
@@ -32,25 +38,49 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
 
 /// A control out at this place stands in a comment that is reported.
 pub(super) fn holds(at: usize, block: &BlockView<'_>) -> bool {
-    found(block).iter().any(|&(open, ..)| open < at && !block.text[open..at].contains(')'))
+    found(block).iter().any(|found| found.at < at && !block.text[found.at..at].contains(')'))
 }
 
-/// The `(` of each comment that goes on behind a line end and holds what looks like blocks, the first line end, and how
-/// many.
-fn found(block: &BlockView<'_>) -> Vec<(usize, usize, usize)> {
+/// A comment of the block runs over a line end and joins the block behind it to this one.
+pub(crate) fn joins(block: &BlockView<'_>) -> bool {
+    found(block).iter().any(|found| found.joined)
+}
+
+/// A comment that goes on behind a line end and holds what looks like blocks.
+struct Swallowed {
+    /// Its `(`.
+    at: usize,
+    /// Its first line end.
+    end: usize,
+    /// How many blocks.
+    count: usize,
+    /// The last one is read: it begins with the comment that ends this one.
+    joined: bool,
+}
+
+fn found(block: &BlockView<'_>) -> Vec<Swallowed> {
     // A comment that nothing closes is said to be one: CTRL-01.
     if !block.comment || block.strays.iter().any(|stray| stray.kind == StrayKind::Unclosed) {
         return Vec::new();
     }
-    let mut found: Vec<(usize, usize, usize)> = Vec::new();
+    let mut found: Vec<Swallowed> = Vec::new();
     let mut open = 0;
     for character in Listing::new(block.text) {
         match character.mark {
             Mark::Character('(') if !character.comment => open = character.from,
-            Mark::EndOfBlock if character.comment && begins_block(&block.text[character.to..]) => {
+            Mark::EndOfBlock if character.comment => {
+                let behind = &block.text[character.to..];
+                let commented = behind_comment(behind);
+                if !begins_block(commented.unwrap_or(behind)) {
+                    continue;
+                }
+                let joined = commented.is_some();
                 match found.last_mut() {
-                    Some((at, _, count)) if *at == open => *count += 1,
-                    _ => found.push((open, first_line_end(block.text, open), 1)),
+                    Some(last) if last.at == open => {
+                        last.count += 1;
+                        last.joined |= joined;
+                    }
+                    _ => found.push(Swallowed { at: open, end: first_line_end(block.text, open), count: 1, joined }),
                 }
             }
             _ => {}
@@ -61,6 +91,12 @@ fn found(block: &BlockView<'_>) -> Vec<(usize, usize, usize)> {
 
 fn first_line_end(text: &str, open: usize) -> usize {
     text[open..].find(['\n', '\r', '*']).map_or(text.len(), |at| open + at)
+}
+
+/// What follows a comment that heads a line, on that line.
+fn behind_comment(text: &str) -> Option<&str> {
+    let (comment, behind) = text.trim_start_matches(' ').strip_prefix('(')?.split_once(')')?;
+    (!comment.contains(['\n', '\r', '*'])).then_some(behind)
 }
 
 /// The text begins with a sequence number word and another word behind it.

@@ -1,6 +1,6 @@
 //! CTRL-02: a right parenthesis has no left one.
 
-use crate::read::StrayKind;
+use crate::read::{Stray, StrayKind};
 use crate::rules::prelude::*;
 
 /// The rule.
@@ -25,6 +25,12 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
              comment, or take the ) out."
                 .to_owned(),
         )
-        .fix(|| Fix::replace("Take it out", stray.range(), ""));
+        .fix(|| {
+            let lost = |other: &&Stray| other.kind == StrayKind::LostComment && other.to == stray.from;
+            match block.strays.iter().find(lost).map(|lost| lost.range().start) {
+                Some(at) => Fix::replace("Open the comment", at..at, "("),
+                None => Fix::replace("Take it out", stray.range(), ""),
+            }
+        });
     }
 }

@@ -28,13 +28,16 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         let last = unread.partition_point(|&at| at <= index).checked_sub(1);
         last.is_some_and(|last| blocks[unread[last]].program == blocks[index].program)
     };
-    let no_function = events.iter().filter(|event| matches!(event.kind, EventKind::NoInterpolation));
-    let no_function: BTreeSet<usize> = no_function.map(|event| event.block).collect();
-    // Under RS-274 a missing function is a note, which would be too little.
-    let assumed = |index: usize| tape.control.standard() == Standard::Iso2539 && no_function.contains(&index);
+    // Under RS-274 a missing function is a note, which would be too little; one that was lost is an error.
+    let says = tape.control.standard() == Standard::Iso2539;
+    let assumed = events.iter().filter(|event| match event.kind {
+        EventKind::NoInterpolation { lost } => lost || says,
+        _ => false,
+    });
+    let assumed: BTreeSet<usize> = assumed.map(|event| event.block).collect();
     let lacks = |event: &&Event| matches!(event.kind, EventKind::NoFeed) && !has_unread_feed(event.block);
     let mut found = events.iter().filter(lacks);
-    let Some(event) = found.find(|event| !assumed(event.block)) else { return };
+    let Some(event) = found.find(|event| !assumed.contains(&event.block)) else { return };
     sink.report(
         &RULE,
         tape.extent(event.block),

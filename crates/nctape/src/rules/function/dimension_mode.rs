@@ -2,6 +2,7 @@
 
 use crate::format::Sign;
 use crate::rules::prelude::*;
+use crate::rules::word::repeated::is_repeated;
 
 /// The rule.
 pub static RULE: Rule = Rule {
@@ -15,7 +16,8 @@ pub static RULE: Rule = Rule {
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let Some(code @ (90 | 91)) = word.function(b'G') else { return };
     let both = block.control.detail.words.iter().any(|designation| designation.sign == Sign::Both);
-    if word.digits == 2 && !both {
+    // A second G in its block is the fault then: WORD-05.
+    if word.digits == 2 && !both && !is_repeated(word, block) {
         let message = format!(
             "G{code} chooses the kind of dimensions, but the detail fixes it: no dimension word has L. Take G{code} \
              out, or write L in the detail if the control has both kinds."

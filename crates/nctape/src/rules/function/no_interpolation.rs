@@ -2,6 +2,7 @@
 
 use crate::execute::EventKind;
 use crate::rules::prelude::*;
+use crate::rules::word::no_address;
 
 /// The rule.
 pub static RULE: Rule = Rule {
@@ -14,8 +15,16 @@ pub static RULE: Rule = Rule {
 
 /// Said once, with how many blocks it holds for.
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    let mut found = tape.execution.events.iter().filter(|event| matches!(event.kind, EventKind::NoInterpolation));
+    let events = tape.execution.events.iter();
+    let mut found = events.filter(|event| matches!(event.kind, EventKind::NoInterpolation { lost: false }));
     let Some(event) = found.next() else { return };
+    let block = &tape.reading.blocks[event.block];
+    let words = tape.reading.words(block);
+    let run_in = |word| no_address::run_into_number(word, words, &tape.text[block.range.clone()], tape.control);
+    // Its code ran into the sequence number: WORD-11.
+    if words.first().and_then(run_in).is_some() {
+        return;
+    }
     sink.report(
         &RULE,
         tape.extent(event.block),

@@ -7,7 +7,7 @@ use crate::rules::prelude::*;
 pub static RULE: Rule = Rule {
     name: "zeros-left-out-both-ways",
     title: "A designation lets leading and trailing zeros be left out.",
-    verdicts: Verdicts::all("NUM-07", Severity::Error).not_rs274(),
+    verdicts: Verdicts::all("NUM-07", Severity::Error),
     clauses: &[Clause::Both("3.3.1"), Clause::Both("D.3.1")],
     page: page!("NUM-07"),
 };

@@ -19,11 +19,17 @@ pub(crate) mod turns_recommended;
 pub(crate) mod wrong_count;
 
 use crate::diagnostic::Fix;
+use crate::format::Designation;
 use crate::read::{BlockView, Word};
 
 /// The letter O follows the number at once: the word goes on behind it, and WORD-14 says so.
 fn is_cut_by_letter(word: &Word, block: &BlockView<'_>) -> bool {
     block.text[word.range().end..].starts_with(['O', 'o'])
+}
+
+/// Zero in a column of a T system, written with fewer zeros than the word has digits (3.3.1).
+fn is_short_zero(word: &Word, designation: &Designation) -> bool {
+    word.by_column && word.value == Some(0) && word.digits < u16::from(designation.width())
 }
 
 /// Puts a plus sign before the first digit of a word.

@@ -14,6 +14,10 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let Some(designation) = block.control.designation(word.address).filter(|word| word.dimension) else { return };
+    // One zero says zero, whatever its sign.
+    if super::is_short_zero(word, designation) {
+        return;
+    }
     if designation.sign == Sign::Signed && word.sign.is_none() && word.fault == NumberFault::None {
         let message = format!(
             "{} has no sign; in ISO 1058 the sign is part of the word ({}). Write + or -.",

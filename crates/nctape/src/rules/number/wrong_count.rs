@@ -23,7 +23,7 @@ pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
         Zeros::All => word.digits != wanted,
         _ => false,
     };
-    if !wrong || super::is_cut_by_letter(word, block) {
+    if !wrong || super::is_short_zero(word, designation) || super::is_cut_by_letter(word, block) {
         return;
     }
     let message =

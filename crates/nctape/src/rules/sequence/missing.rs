@@ -13,8 +13,9 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let Some(first) = block.words.first() else { return };
-    // Digits without an address at the head are probably the number: WORD-11.
-    if first.address != 0 && !block.words.iter().any(Word::is_sequence) {
+    // Digits without an address at the head are probably the number: WORD-11. An O or H may be one that was mistyped.
+    let named = matches!(first.address, b'H' | b'L' | b'O') && !is_declared(first, block.control);
+    if first.address != 0 && !named && !block.words.iter().any(Word::is_sequence) {
         sink.report(
             &RULE,
             first.range(),

@@ -1,5 +1,6 @@
 //! SEQ-07: the sequence number word is not the first word of its block.
 
+use crate::rules::comment;
 use crate::rules::prelude::*;
 
 /// The rule.
@@ -18,6 +19,11 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     }
     let headed = block.sequence().is_some();
     let others = block.words.iter().skip(usize::from(headed)).filter(|word| word.is_sequence());
+    let mut others = others.peekable();
+    // A comment that ran over a line end has joined the block of the second one to this one: CTRL-06.
+    if others.peek().is_some() && comment::swallowed::joins(block) {
+        return;
+    }
     for (index, word) in others.enumerate() {
         let letter = word.letter();
         if headed || index > 0 {

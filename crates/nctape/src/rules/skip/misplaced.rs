@@ -13,6 +13,17 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
+    // Under ISO 1058 SKIP-02 says that a sequence number word is missing.
+    if let Some(at) = block.skip.filter(|_| block.words.is_empty() && block.control.standard() != Standard::Iso1058) {
+        sink.report(
+            &RULE,
+            at..at + 1,
+            "The optional block skip / stands alone: there is no block behind it to skip. Put it immediately before a \
+             sequence number word, or take it out."
+                .to_owned(),
+        )
+        .fix(|| Fix::replace("Take it out", at..at + 1, ""));
+    }
     for stray in block.strays.iter().filter(|stray| stray.kind == StrayKind::Skip) {
         sink.report(
             &RULE,

@@ -1,5 +1,6 @@
 //! TAB: tabulation.
 
+pub(crate) mod address_in_tab_system;
 pub(crate) mod behind_address;
 pub(crate) mod in_address_system;
 pub(crate) mod missing;

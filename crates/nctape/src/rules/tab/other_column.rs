@@ -47,6 +47,8 @@ struct Disagreement {
 fn disagreement(block: &Block, tape: &TapeView<'_>) -> Option<Disagreement> {
     let words = tape.reading.words(block);
     let (mut column, mut before) = (0, 0);
+    let detail = &tape.control.detail.words;
+    let last = detail.len() - usize::from(detail.first().is_some_and(|first| first.address == 'N'));
     for (index, word) in words.iter().enumerate() {
         // Tabs that are missing, in the wrong place or too many to count are reported for that.
         let counted = word.is_sequence() && index == 0 && word.tabs == 0 || !word.is_sequence() && word.tabs > 0;
@@ -64,6 +66,10 @@ fn disagreement(block: &Block, tape: &TapeView<'_>) -> Option<Disagreement> {
             return None;
         }
         before = wanted;
+        // Beyond the last column: TAB-03.
+        if column > last {
+            return None;
+        }
         if column != wanted {
             return Some(Disagreement { word: index, column, wanted });
         }

@@ -22,6 +22,16 @@ pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let at = word.range().start;
     let text = &block.text[word.range()];
     let own = &words[column];
+    // A number right behind another one: the scanner took it to the next column.
+    if word.tabs == 0 && word.from > 0 {
+        let message = format!(
+            "{text} follows another number without a tab; it has the shape of {} ({}): a tab is probably missing before it.",
+            own.address,
+            own.text()
+        );
+        sink.report(&RULE, word.range(), message).fix(|| Fix::replace("Put a tab before it", at..at, "\t"));
+        return;
+    }
     let lost = words.get(column + 1).filter(|next| next.fits(word.sign, word.digits));
     let (other, what) = match (lost, column.checked_sub(1).map(|before| &words[before])) {
         (Some(next), _) => (next, "a tab is probably missing before it"),

@@ -50,6 +50,19 @@ pub(crate) fn check(strays: &[Stray], control: &Control, sink: &mut Sink<'_>) {
                 let range = stray.range().start..strays[at - 1].range().end;
                 sink.report_as(Severity::Info, &RULE, range, message).count(1 + more);
             }
+            StrayKind::Label => {
+                let message = "A control passes over everything up to the program start, or to the first end of block: \
+                               this is a label for people.";
+                sink.report_as(Severity::Info, &RULE, stray.range(), message.to_owned());
+            }
+            StrayKind::LabelBehindStart => {
+                let message = "Between the program start % and the end of block behind it only a program number may \
+                               stand. Put the text into a comment, or before the %.";
+                let (from, to) = (stray.range().start, stray.range().end);
+                sink.report(&RULE, from..to, message.to_owned()).fix(|| {
+                    Fix::edits("Put it into a comment", [(from..from, "(".to_owned()), (to..to, ")".to_owned())])
+                });
+            }
             StrayKind::InComment(character) => {
                 let message =
                     format!("{} has no row in {code}: it is left out of the comment on the tape.", named(character));

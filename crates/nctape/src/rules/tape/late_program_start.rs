@@ -32,7 +32,7 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     }
 }
 
-/// The program start characters that stand before every block but behind an end of block.
+/// The program start characters that stand before every word but behind an end of block.
 pub(super) fn marks(tape: &TapeView<'_>) -> impl Iterator<Item = ProgramMark> {
-    tape.reading.programs().filter(|mark| mark.behind_end_of_block && mark.blocks_before == 0)
+    tape.reading.programs().filter(|mark| mark.behind_end_of_block && mark.word_before.is_none())
 }

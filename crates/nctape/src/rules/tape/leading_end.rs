@@ -15,11 +15,12 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     for index in tape.reading.unled() {
         let block = &tape.reading.blocks[index];
         // Behind a program without its end % starts no other one: TAPE-05.
-        if index > 0 && !tape.ends_program(index - 1) {
+        let before = (0..index).rfind(|&before| !tape.reading.words(&tape.reading.blocks[before]).is_empty());
+        if before.is_some_and(|before| !tape.ends_program(before..index)) {
             continue;
         }
         // An end of block that stands before the program start character is there, but too early: TAPE-04.
-        if index == 0 && super::late_program_start::marks(tape).next().is_some() {
+        if before.is_none() && super::late_program_start::marks(tape).next().is_some() {
             continue;
         }
         let at = block.range.start;

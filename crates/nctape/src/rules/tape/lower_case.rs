@@ -12,18 +12,22 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    // EIA code has one case of letters: there is nothing to tell apart on the tape.
-    if tape.control.code == Code::Eia || !tape.seen.any(Traits::LOWER_CASE) {
+    if !tape.seen.any(Traits::LOWER_CASE) {
         return;
     }
-    let mut found = tape.words().filter(|(_, word)| word.lower_case);
+    // A letter without digits is no address: WORD-10, or a text.
+    let mut found = tape.words().filter(|(_, word)| word.lower_case && word.fault != NumberFault::Empty);
     let Some((block, word)) = found.next() else { return };
     let (mut count, mut last) = (1, (block, word));
     for other in found {
         (count, last) = (count + 1, other);
     }
+    let code = match tape.control.code {
+        Code::Iso => "ISO code has capital letters only",
+        Code::Eia => "addresses are capital letters, and EIA code has one case only",
+    };
     let message = format!(
-        "The address {} is written in lower case; ISO code has capital letters only, and it is punched as {}.",
+        "The address {} is written in lower case; {code}, and it is punched as {}.",
         char::from(word.address).to_ascii_lowercase(),
         word.letter()
     );

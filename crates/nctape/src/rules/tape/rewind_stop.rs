@@ -14,11 +14,12 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
+    let last = tape.reading.blocks.iter().rposition(|block| !tape.reading.words(block).is_empty());
     for mark in tape.reading.programs() {
         // Between programs that each have their end it starts the next one; at the end of the tape it is never rewound
         // over.
-        let before = mark.blocks_before;
-        if before > 0 && before < tape.reading.blocks.len() && !tape.ends_program(before - 1) {
+        let behind = last.is_some_and(|last| last >= mark.blocks_before);
+        if mark.word_before.is_some_and(|before| behind && !tape.ends_program(before..mark.blocks_before)) {
             report(mark.range.clone(), sink);
         }
     }

@@ -16,6 +16,8 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     for word in block.words {
         let Some(place) = place(word, block.control) else { continue };
         match highest {
+            // What stands here a second time is said to be that: WORD-05.
+            Some((before, _)) if place < before && super::repeated::is_repeated(word, block) => {}
             Some((before, other)) if place < before => {
                 let order = match block.control.standard() {
                     Standard::Iso1058 => "X Y Z U V W P Q R A B C D E",

@@ -37,12 +37,16 @@ pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
 /// Where the digits of a preparatory function begin that lost its G and ran into the sequence number before it:
 /// digits of both words, the last of an assigned function, in a block that moves and has no G.
 pub(crate) fn run_in(word: &Word, block: &BlockView<'_>) -> Option<usize> {
+    run_into_number(word, block.words, block.text, block.control)
+}
+
+/// The same of the words of a block and its text.
+pub(crate) fn run_into_number(word: &Word, words: &[Word], text: &str, control: &Control) -> Option<usize> {
     if !word.is_sequence() && word.address != 0 {
         return None;
     }
-    let control = block.control;
     let (number, function) = (control.designation(b'N')?.width(), control.designation(b'G')?.width());
-    let head = block.sequence().filter(|_| control.system != System::Tab)?;
+    let head = words.first().filter(|word| word.is_sequence() && control.system != System::Tab)?;
     let widths = u16::from(number) + u16::from(function);
     if (word.from, word.digits, word.fault) != (head.from, widths, NumberFault::None) {
         return None;
@@ -51,10 +55,10 @@ pub(crate) fn run_in(word: &Word, block: &BlockView<'_>) -> Option<usize> {
     let (before, code) = (word.value? / power_of_ten(function), word.value? % power_of_ten(function));
     let assigned = matches!(preparatory(u8::try_from(code).ok()?), Preparatory::Assigned(..));
     let moves = |word: &Word| control.designation(word.address).is_some_and(|word| word.dimension);
-    let has_function = block.words.iter().any(|word| word.address == b'G');
-    if before == 0 || !assigned || has_function || !block.words.iter().any(moves) {
+    let has_function = words.iter().any(|word| word.address == b'G');
+    if before == 0 || !assigned || has_function || !words.iter().any(moves) {
         return None;
     }
-    let mut digits = block.text[word.range()].char_indices().filter(|(_, character)| character.is_ascii_digit());
+    let mut digits = text[word.range()].char_indices().filter(|(_, character)| character.is_ascii_digit());
     digits.nth(usize::from(number)).map(|(at, _)| word.range().start + at)
 }

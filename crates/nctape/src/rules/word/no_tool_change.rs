@@ -18,11 +18,15 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     }
     let mut called: Option<(&Block, &Word)> = None;
     let mut unused = Vec::new();
-    for block in &tape.reading.blocks {
+    for (index, block) in tape.reading.blocks.iter().enumerate() {
         if called.is_some_and(|(before, _)| before.program != block.program) {
             unused.extend(called.take());
         }
         if !block.traits.any(Traits::address(b'T').with(Traits::address(b'M'))) {
+            continue;
+        }
+        // A block that is never executed calls no tool.
+        if tape.execution.unreached.binary_search(&index).is_ok() {
             continue;
         }
         let words = tape.reading.words(block);

@@ -16,6 +16,8 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     for word in block.words {
         let Some(class) = class(word, block.control) else { continue };
         match highest {
+            // What stands here a second time is said to be that: WORD-05.
+            Some((before, _)) if class < before && super::repeated::is_repeated(word, block) => {}
             Some((before, other)) if class < before => {
                 let message = format!(
                     "{} stands behind {}; the order is G, dimensions, F, S, T, M. Move it forward.",
