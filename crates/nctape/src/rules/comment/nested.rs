@@ -15,10 +15,16 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     // Where a comment has swallowed blocks, their comments are nested in it: CTRL-06.
-    let nested = super::strays(block).filter(|stray| {
-        stray.kind == StrayKind::NestedControlOut && !super::swallowed::holds(stray.range().start, block)
-    });
-    for (index, stray) in nested.enumerate() {
+    let mut nested = super::strays(block).filter(|stray| stray.kind == StrayKind::NestedControlOut).peekable();
+    if nested.peek().is_none() {
+        return;
+    }
+    let swallowed = super::swallowed::places(block);
+    let is_swallowed = |at: usize| {
+        let behind = swallowed.partition_point(|place| place.start < at);
+        behind > 0 && at < swallowed[behind - 1].end
+    };
+    for (index, stray) in nested.filter(|stray| !is_swallowed(stray.range().start)).enumerate() {
         let range = stray.range();
         sink.report(
             &RULE,

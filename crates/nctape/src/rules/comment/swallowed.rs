@@ -3,6 +3,7 @@
 use crate::read::StrayKind;
 use crate::rules::prelude::*;
 use crate::text::{Listing, Mark};
+use std::ops::Range;
 
 /// The rule.
 pub static RULE: Rule = Rule {
@@ -36,9 +37,10 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     }
 }
 
-/// A control out at this place stands in a comment that is reported.
-pub(super) fn holds(at: usize, block: &BlockView<'_>) -> bool {
-    found(block).iter().any(|found| found.at < at && !block.text[found.at..at].contains(')'))
+/// Where the comments stand that are reported, in order.
+pub(super) fn places(block: &BlockView<'_>) -> Vec<Range<usize>> {
+    let behind = |at: usize| block.text[at..].find(')').map_or(block.text.len(), |length| at + length);
+    found(block).into_iter().map(|found| found.at..behind(found.at)).collect()
 }
 
 /// A comment of the block runs over a line end and joins the block behind it to this one.
@@ -95,8 +97,9 @@ fn first_line_end(text: &str, open: usize) -> usize {
 
 /// What follows a comment that heads a line, on that line.
 fn behind_comment(text: &str) -> Option<&str> {
-    let (comment, behind) = text.trim_start_matches(' ').strip_prefix('(')?.split_once(')')?;
-    (!comment.contains(['\n', '\r', '*'])).then_some(behind)
+    let comment = text.trim_start_matches(' ').strip_prefix('(')?;
+    let end = comment.find([')', '\n', '\r', '*'])?;
+    comment[end..].strip_prefix(')')
 }
 
 /// The text begins with a sequence number word and another word behind it.
