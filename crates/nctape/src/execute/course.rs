@@ -7,9 +7,6 @@ use crate::read::Word;
 use crate::span::{Geometry, Span, SpanKind};
 use std::ops::Range;
 
-/// Rows that a reader draws in a second where the format does not say: the usual photoelectric reader.
-const READER_SPEED: f64 = 300.0;
-
 /// What is taken for a speed that neither tape nor format says, in millimetres and in inches per minute. The paces
 /// are of the order of the machines of the time, and so round that nobody takes them for a figure of the tape.
 const RAPID: [f64; 2] = [5000.0, 200.0];
@@ -74,10 +71,9 @@ impl Tape {
     /// How the tape passes through the control, with the skip switch as it is.
     pub fn course(&self) -> Course {
         let control = self.control();
-        let stated = &control.format.itemized;
         let by_unit = |[millimetre, inch]: [f64; 2]| if control.unit == Unit::Inch { inch } else { millimetre };
         let (rapid, cutting) = (by_unit(RAPID), by_unit(CUTTING));
-        let reader_speed = stated.reader_speed.map_or(READER_SPEED, |speed| speed.0);
+        let reader_speed = control.format.reader_speed();
 
         let spans = &self.spans().list;
         let seconds = |span: &Span| span.seconds.unwrap_or_else(|| assumed(span, rapid, cutting)).min(MOST_SECONDS);
