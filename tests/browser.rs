@@ -178,6 +178,32 @@ fn a_live_tape_answers_edits_like_a_fresh_check() {
     assert_eq!(text(&block, "sequence"), "N003");
 }
 
+#[wasm_bindgen_test]
+fn registers_and_course_as_a_script_gets_them() {
+    let preset = preset("annex-d-boring");
+    let tape = api::Tape::new(&get(&preset, "source"), &get(&preset, "format"), &JsValue::UNDEFINED).expect("a tape");
+    // N002, with an arithmetic code of 300 revolutions.
+    let held = tape.registers(1);
+    assert_eq!((text(&held, "fate"), text(&held, "sequence")), ("executed".to_owned(), "N002".to_owned()));
+    assert_eq!((text(&held, "speed.word"), number(&held, "speed.perMinute")), ("S630".to_owned(), 300.0));
+    assert_eq!((text(&held, "spindle.turns"), text(&held, "spindle.code")), ("clockwise".to_owned(), "M03".to_owned()));
+    assert_eq!((text(&held, "tool.word"), text(&held, "tool.change.code")), ("T01".to_owned(), "M06".to_owned()));
+    let motion = &list(&held, "modal")[0];
+    assert_eq!((text(motion, "group"), text(motion, "code")), ("Motion".to_owned(), "G00".to_owned()));
+    assert_eq!(list(&held, "position").len(), list(&tape.summary(), "axes").len());
+    assert!(get(&held, "feed").is_null() && get(&held, "coolant").is_null());
+    assert!(tape.registers(99).is_null());
+
+    let course = tape.course();
+    let rows: Uint32Array = get(&course, "rows").unchecked_into();
+    // The program start, its end of block, then N001, G00, T01, M06 with six tabs and the end of block.
+    assert_eq!((rows.get_index(0), rows.get_index(1)), (2, 2 + 4 + 1 + 3 + 7 + 3 + 1 + 3 + 1));
+    let stops: js_sys::Uint8Array = get(&course, "stops").unchecked_into();
+    assert_eq!(stops.to_vec(), [0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2]);
+    let ends: Uint32Array = get(&course, "spanEnds").unchecked_into();
+    assert_eq!(f64::from(ends.get_index(15)), number(&tape.summary(), "spans"));
+}
+
 /// Letters, digits, signs, line ends, comments and rubbish, in the mixture that a spoiled tape has. The generator is
 /// xorshift64 (Marsaglia, 2003): the same texts in every run.
 struct Rubbish(u64);
@@ -292,6 +318,11 @@ fn no_text_and_no_format_makes_any_function_fail() {
         tape.path(&0.1.into()).expect("no malformed argument");
         (0..number(&summary, "blocks") as u32).for_each(|index| drop(tape.block(index)));
         (0..number(&summary, "spans") as u32).for_each(|index| drop(tape.span(index)));
+        let held = Array::from(&tape.registers_of(0, u32::MAX));
+        assert_eq!(held.length() as f64, number(&summary, "blocks"));
+        let seconds: Float64Array = get(&tape.course(), "seconds").unchecked_into();
+        assert_eq!(seconds.length(), held.length());
+        assert!(seconds.to_vec().iter().all(|seconds| seconds.is_finite() && *seconds >= 0.0));
     }
 }
 

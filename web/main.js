@@ -20,6 +20,15 @@ const store = new Store({
   leader: new Uint8Array(),
   skip: false,
   theme: startTheme(),
+  path: null,
+  track: null,
+  moment: null,
+  held: null,
+  heldBlock: null,
+  playing: false,
+  halted: null,
+  speed: 4,
+  single: false,
 });
 
 /** @type {import('./playground.js').Playground | null} */

@@ -13,6 +13,10 @@ import { makeOffer } from './offer.js';
 import { makePlot } from './plot/plot.js';
 import { problemCard } from './problem-card.js';
 import { makeProblems } from './problems.js';
+import { makeReplayControls } from './replay/controls.js';
+import { makeRegisters } from './replay/registers.js';
+import { makeReplay } from './replay/replay.js';
+import { makeTimeline } from './replay/timeline.js';
 import { makeRulePage } from './rule-page.js';
 import { makeSkip } from './skip.js';
 import { makeName } from './strip/name.js';
@@ -97,6 +101,10 @@ export function makePlayground({ store, engine, kinds, presets }) {
   makeStrip({ store, engine, kinds, onRow: (offset) => moveCursor(editor, offset, 'tape') });
   const problems = makeProblems({ store, engine, deeds, textLength: () => editor.state.doc.length, cursor: () => editor.state.selection.main.from });
   makePlot({ store, engine, kinds, onBlock: (offset) => moveCursor(editor, offset, 'path') });
+  makeRegisters(store);
+  const replay = makeReplay({ store, engine, onPlace: (offset) => moveCursor(editor, offset, 'replay') });
+  makeReplayControls({ store, replay });
+  makeTimeline({ store, kinds, replay });
   makeDecimals({
     store,
     engine,
@@ -128,8 +136,11 @@ export function makePlayground({ store, engine, kinds, presets }) {
 
   /** @param {ViewUpdate} update */
   function onUpdate(update) {
+    const by = update.transactions.map((one) => one.annotation(movedBy));
+    if (by.includes('replay')) return;
     const format = currentFormat(update.view);
     const isNewFormat = format !== store.state.format;
+    if (update.docChanged || update.selectionSet || isNewFormat) replay.handOver(update.docChanged || isNewFormat);
     if (update.docChanged) noteEdit(update);
     if (isNewFormat) store.set({ format });
     if (update.docChanged || isNewFormat) {
@@ -139,7 +150,7 @@ export function makePlayground({ store, engine, kinds, presets }) {
         offset: head(),
       });
     } else if (update.selectionSet) {
-      if (!update.transactions.some((one) => one.annotation(movedBy) === 'problems')) store.set({ chosen: null });
+      if (!by.includes('problems')) store.set({ chosen: null });
       void locate();
     }
   }

@@ -1,4 +1,6 @@
 // What the page asks of the tape, one question for each view. Runs in the worker.
+import { replayQuestions } from './replay/stretch.js';
+
 /** @typedef {import('nctape').Tape} Tape */
 /** @typedef {import('nctape').Diagnostic} Diagnostic */
 /** @typedef {import('nctape').Severity} Severity */
@@ -34,6 +36,8 @@ const MOST_JUDGED = 500;
 const kindOfRow = (tape, row) => tape.rows(row, 1).kinds[0] ?? 0;
 
 export const questions = {
+  ...replayQuestions,
+
   /**
    * Where an offset lies in every view.
    * @param {Tape} tape

@@ -27,6 +27,15 @@
  * @property {Uint8Array} leader  rows of letters for people before the program; none: none
  * @property {boolean} skip  the optional block skip switch is on
  * @property {'light' | 'dark'} theme
+ * @property {import('nctape').Path | null} path  flattened for the picture
+ * @property {import('./replay/track.js').Track | null} track  the tape as a line of time
+ * @property {import('./replay/replay.js').Moment | null} moment  where the tape stands on it
+ * @property {import('nctape').Registers | null} held  what the control holds in the block under the head
+ * @property {BlockView | null} heldBlock  that block
+ * @property {boolean} playing
+ * @property {number | null} halted  the block behind which play stopped by itself
+ * @property {number} speed  of the replay, in seconds of the machine for one of the clock
+ * @property {boolean} single  play stops behind every block
  */
 
 export class Store {

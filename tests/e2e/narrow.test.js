@@ -54,7 +54,8 @@ test('nothing is wider than the screen, and every target is large enough for a f
       const all = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('button, select, input')]);
       return all
         .filter((one) => one.checkVisibility({ visibilityProperty: true }) && !one.closest('.hidden'))
-        .map((one) => ({ name: one.id || one.className, box: one.getBoundingClientRect() }))
+        // A switch is pressed by its words as well.
+        .map((one) => ({ name: one.id || one.className, box: ((one.role === 'switch' && one.closest('label')) || one).getBoundingClientRect() }))
         .filter(({ box }) => box.width > 0 && (box.height < 43.5 || box.width < 43.5 || box.right > innerWidth + 1))
         .map(({ name, box }) => `${name} ${Math.round(box.width)}x${Math.round(box.height)}`);
     });

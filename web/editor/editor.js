@@ -15,7 +15,7 @@ import { typeOver } from './type-over.js';
 /** @typedef {import('nctape').Format} Format */
 /** @typedef {import('nctape').Diagnostic} Diagnostic */
 
-/** @typedef {'tape' | 'path' | 'problems' | 'paste'} Mover */
+/** @typedef {'tape' | 'path' | 'problems' | 'paste' | 'replay'} Mover */
 
 /** Which view moved the cursor, where it was not the editor. @type {import('@codemirror/state').AnnotationType<Mover>} */
 export const movedBy = Annotation.define();
@@ -143,7 +143,9 @@ export function moveCursor(view, offset, by, to = offset) {
     annotations: movedBy.of(by),
   });
   // Who moves the tape or the path looks at these: the page stays where it is, where it is longer than the screen.
-  if (!isAsked) scrollWithin(view, anchor, by === 'tape' ? 'nearest' : 'center');
+  // A replay runs through the rows of a line: the line comes into sight, and does not move to and fro.
+  const seen = by === 'replay' ? view.state.doc.lineAt(anchor).from : anchor;
+  if (!isAsked) scrollWithin(view, seen, by === 'tape' || by === 'replay' ? 'nearest' : 'center');
 }
 
 /** So far from the edges a line comes to lie. */

@@ -16,8 +16,9 @@ const MOST_WIDE = 20_000;
  * @param {Path} path
  * @param {(span: number) => string} kindOf
  * @param {Record<string, string>} colours
+ * @param {[number, number]} [points]  only these, the first one of a span and behind the last one of another
  */
-export function drawPath(context, view, path, kindOf, colours) {
+export function drawPath(context, view, path, kindOf, colours, [from, to] = [0, path.span.length]) {
   const { xyz, span, kinds, substitutes } = path;
   const [across, up] = AXES[view.plane];
   const isDense = span.length > MOST_WIDE;
@@ -25,10 +26,10 @@ export function drawPath(context, view, path, kindOf, colours) {
   context.lineCap = 'butt';
   const pen = new Pen(context, view.width, view.height);
   let style = -1;
-  for (let i = 0; i < span.length; i += 1) {
+  for (let i = from; i < to; i += 1) {
     const [x, y] = view.at(xyz[3 * i + across], xyz[3 * i + up]);
     const index = span[i];
-    if (i > 0 && index === span[i - 1]) {
+    if (i > from && index === span[i - 1]) {
       pen.lineTo(x, y);
       continue;
     }
@@ -39,7 +40,7 @@ export function drawPath(context, view, path, kindOf, colours) {
       if (isDense) context.lineWidth = 1;
       style = next;
       pen.moveTo(x, y);
-    } else if (i > 0 && isSamePoint(xyz, i)) {
+    } else if (i > from && isSamePoint(xyz, i)) {
       pen.lineTo(x, y);
     } else {
       pen.moveTo(x, y);
@@ -47,7 +48,7 @@ export function drawPath(context, view, path, kindOf, colours) {
   }
   pen.end();
   context.setLineDash([]);
-  if (kinds.length <= MOST_MARKS) drawEnds(context, view, path, colours);
+  if (kinds.length <= MOST_MARKS) drawEnds(context, view, path, colours, from, to);
 }
 
 /**
@@ -64,12 +65,14 @@ const isSamePoint = (xyz, i) =>
  * @param {View} view
  * @param {Path} path
  * @param {Record<string, string>} colours
+ * @param {number} from
+ * @param {number} to
  */
-function drawEnds(context, view, { xyz, span }, colours) {
+function drawEnds(context, view, { xyz, span }, colours, from, to) {
   context.fillStyle = colours.text;
   context.beginPath();
-  for (let i = 0; i < span.length; i += 1) {
-    if (i + 1 < span.length && span[i + 1] === span[i]) continue;
+  for (let i = from; i < to; i += 1) {
+    if (i + 1 < to && span[i + 1] === span[i]) continue;
     const [x, y] = view.toScreen(xyz.subarray(3 * i, 3 * i + 3));
     context.moveTo(x + 2, y);
     context.arc(x, y, 2, 0, 2 * Math.PI);

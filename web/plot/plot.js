@@ -1,6 +1,7 @@
 // The path of the tool, in one plane.
 import { button, byId, el, onceAFrame } from '../dom.js';
 import { palette } from '../palette.js';
+import { drawBehind, drawTool, TO_COME, Travelled } from '../replay/tool.js';
 import { timed } from '../timing.js';
 import { drawConstruction } from './construction.js';
 import { drawLit, drawPath, drawStart } from './draw.js';
@@ -38,6 +39,7 @@ export function makePlot({ store, engine, kinds, onBlock }) {
   /** The tolerance of `path`, in lengths. */
   let tolerance = Infinity;
   let baseIsTrue = false;
+  const travelled = new Travelled();
   let fitted = false;
   /** The picture was moved by hand: it stays as it was put until the tape is another one. */
   let held = false;
@@ -96,6 +98,7 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     if (next === undefined) return false;
     path = next;
     tolerance = asked;
+    store.set({ path });
     showLegend();
     redrawAll();
     return true;
@@ -124,7 +127,7 @@ export function makePlot({ store, engine, kinds, onBlock }) {
 
   /** @param {import('nctape').Summary} summary */
   function drawAll(summary) {
-    const { here, pointed, theme } = store.state;
+    const { here, pointed, theme, moment, held } = store.state;
     const colours = palette(theme);
     const font = getComputedStyle(document.documentElement).getPropertyValue('--mono');
     if (!baseIsTrue) {
@@ -132,7 +135,9 @@ export function makePlot({ store, engine, kinds, onBlock }) {
       baseContext.fillStyle = colours.sheet;
       baseContext.fillRect(0, 0, view.width, view.height);
       drawGrid(baseContext, view, colours, { axes: summary.axes, unit: summary.unit === 'mm' ? 'mm' : 'in', font });
+      if (moment?.led) baseContext.globalAlpha = TO_COME;
       if (path !== null) drawPath(baseContext, view, path, kindOf, colours);
+      baseContext.globalAlpha = 1;
       if (path !== null && path.xyz.length > 0) drawStart(baseContext, view, path.xyz.subarray(0, 3), colours);
       baseIsTrue = true;
     }
@@ -140,13 +145,27 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     context.drawImage(base, 0, 0);
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     if (path === null) return;
-    if (here?.span) {
+    const tool = moment !== null && moment.span >= 0 && moment.span < path.kinds.length ? moment : null;
+    if (tool?.led) {
+      const behind = tool.span + (tool.along === 1 ? 1 : 0);
+      travelled.draw({ view, ratio, path, kindOf, colours, theme }, behind);
+      context.setTransform(1, 0, 0, 1, 0, 0);
+      if (behind > 0) context.drawImage(travelled.canvas, 0, 0);
+      context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    }
+    // What only explains a piece of the path stays away while the tool runs by.
+    if (here?.span && !tool?.running) {
       drawConstruction({ context, view, colours, font, unit: summary.unit }, here.span);
+    }
+    if (tool?.led) {
+      drawBehind(context, view, path, tool, kindOf(tool.span), colours);
+    } else if (here?.span) {
       drawLit(context, view, path, /** @type {number} */ (here.block?.span), here.span.kind, colours, 11);
     }
     if (pointed !== null && pointed < path.kinds.length && pointed !== here?.block?.span) {
       drawLit(context, view, path, pointed, kindOf(pointed), colours, 7);
     }
+    if (tool !== null) drawTool(context, view, path, tool, held, colours);
   }
 
   const legend = byId('legend', HTMLElement);
@@ -285,6 +304,14 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     void tellPointed();
     redraw();
   });
+  let dimmed = false;
+  store.on(['moment'], ({ moment }) => {
+    const led = moment?.led === true;
+    if (led !== dimmed) baseIsTrue = false;
+    dimmed = led;
+    redraw();
+  });
+  store.on(['held'], redraw);
   store.on(['theme'], redrawAll);
   namePlanes();
   new ResizeObserver(measure).observe(host);

@@ -207,11 +207,21 @@ export function makeStrip({ store, engine, kinds, onRow }) {
       redraw();
     }
   });
-  store.on(['here'], ({ here }) => {
+  store.on(['moment'], ({ moment }) => {
+    if (!moment?.running || held) return;
+    cancelAnimationFrame(glide);
+    inLeader = null;
+    const before = Math.round(position);
+    position = inTape(moment.row);
+    if (Math.round(position) !== before) describe();
+    redraw();
+  });
+  store.on(['here'], ({ here, moment }) => {
     if (inLeader !== null && here?.offset === told) return;
     inLeader = null;
     told = -1;
-    if (here !== null && here.row >= 0 && !held && wanted === null) glideTo(inTape(here.row));
+    if (moment?.running) redraw();
+    else if (here !== null && here.row >= 0 && !held && wanted === null) glideTo(inTape(here.row));
     else if (here !== null && here.row < 0 && rows() > 0 && wanted === null) glideTo(rows() - 1);
     describe();
     redraw();
@@ -235,7 +245,7 @@ export function makeStrip({ store, engine, kinds, onRow }) {
   });
 
   function describe() {
-    const { here, summary, leader } = store.state;
+    const { here, moment, summary, leader } = store.state;
     if (here === null || summary === null || meanings === null) return;
     if (inLeader !== null) {
       const said = `Leader, row ${leader.length + inLeader + 1} of ${leader.length} · ${holesOf(meanings[leader[leader.length + inLeader]].tracks)}`;
@@ -245,9 +255,10 @@ export function makeStrip({ store, engine, kinds, onRow }) {
       card.showHead(leader[leader.length + inLeader], 'Letters in the leader');
       return;
     }
-    const row = here.row < 0 ? Math.max(0, summary.rows - 1) : here.row;
+    const running = moment?.running === true;
+    const row = running ? inTape(Math.round(moment.row)) : here.row < 0 ? Math.max(0, summary.rows - 1) : here.row;
     strip.setAttribute('aria-valuemax', String(Math.max(1, summary.rows)));
-    strip.setAttribute('aria-valuenow', String(row + 1));
+    if (!running) strip.setAttribute('aria-valuenow', String(row + 1));
     scrub.max = String(Math.max(0, summary.rows - 1));
     scrub.value = String(row);
     windows.want(row, row);
@@ -260,6 +271,8 @@ export function makeStrip({ store, engine, kinds, onRow }) {
     const block = here.block?.sequence ?? null;
     words.textContent = rowWords(row, summary.rows, block, meanings[known.byte]);
     card.showHead(known.byte, placeWords(row, summary.rows, block));
+    // For the ear the rows that run by would be a chatter.
+    if (running) return;
     strip.setAttribute('aria-valuetext', spokenRow(row, summary.rows, block, meanings[known.byte]));
   }
   const arrived = windows.onArrival;

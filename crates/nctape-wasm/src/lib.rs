@@ -8,6 +8,7 @@ mod functions;
 mod live;
 mod offsets;
 mod paper;
+mod replay;
 mod report;
 mod value;
 mod vocabulary;

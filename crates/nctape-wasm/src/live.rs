@@ -12,7 +12,7 @@ use wasm_bindgen::prelude::*;
 /// A tape that is edited. Every change has a number; offsets are UTF-16 code units.
 #[wasm_bindgen]
 pub struct Tape {
-    tape: CoreTape,
+    pub(crate) tape: CoreTape,
     offsets: Offsets,
     edit: u32,
     drawn: Option<Drawn>,

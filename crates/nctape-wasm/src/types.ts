@@ -314,3 +314,57 @@ export interface PathChange extends Path {
   /** By how much the blocks of the last ones have other numbers. */
   shift: number;
 }
+
+/** A function with its meaning: "G02", "M30". */
+export interface NamedFunction { code: string; meaning: string }
+
+/** What the control holds behind a block. */
+export interface Registers {
+  block: number;
+  /** Where the block is not executed, the control holds what it held before. */
+  fate: "executed" | "skipped" | "unreached";
+  /** The digits behind the program start character. */
+  program: string | null;
+  sequence: string | null;
+  /** The preparatory functions in force; not `stated`: the control starts with it. */
+  modal: { group: string; code: string | null; meaning: string; stated: boolean }[];
+  /** What acts in this block alone. */
+  once: NamedFunction[];
+  /** The function of the block that makes the control wait behind it. */
+  stop: NamedFunction | null;
+  /** In the order of `axes`. */
+  position: number[];
+  /** The axes whose position is a guess, because a word could not be read. */
+  doubtful: boolean[];
+  feed: { word: string; perMinute: number | null } | null;
+  speed: { word: string; perMinute: number | null } | null;
+  /** null while the tape has not said. */
+  spindle: (NamedFunction & { turns: "still" | "clockwise" | "counter-clockwise" }) | null;
+  coolant: (NamedFunction & { on: boolean }) | null;
+  /** The tool word in force, and the tool change given since. */
+  tool: { word: string; change: NamedFunction | null } | null;
+  /** Every other address of the detail that is no dimension, with its last word. */
+  others: { address: string; word: string | null }[];
+}
+
+/** How a tape passes through the control. Times that are not known are assumed, so that it can be shown at work. */
+export interface Course {
+  /** First row and behind the last row of each block, two entries a block. */
+  rows: Uint32Array;
+  /** How long each block takes: its spans, or the reader where it has none. */
+  seconds: Float64Array;
+  /** Behind the last span carried out with each block; it begins where that of the block before ends. */
+  spanEnds: Uint32Array;
+  /** 0 executed, 1 skipped, 2 behind the end. */
+  fates: Uint8Array;
+  /** Why the control waits behind a block: 0 it does not, 1 program stop, 2 end. */
+  stops: Uint8Array;
+  /** Seconds of each span, known or assumed, and its kind: an index into `spanKinds()` plus 1. */
+  spanSeconds: Float64Array;
+  spanKinds: Uint8Array;
+  /** How many spans have an assumed time, and what is assumed, in words. */
+  assumed: number;
+  note: string | null;
+  /** The pace of blocks that move nothing, rows per second. */
+  readerSpeed: number;
+}

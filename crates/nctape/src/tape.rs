@@ -143,6 +143,16 @@ impl Tape {
         self.control.standard()
     }
 
+    /// The position of the optional block skip switch.
+    pub fn skip(&self) -> bool {
+        self.skip
+    }
+
+    /// What executing it gave.
+    pub(crate) fn execution(&self) -> &Execution {
+        &self.execution
+    }
+
     /// All rows of holes. See [`Tape::rows_from`] for what is visible of a long tape.
     pub fn rows(&self) -> Rows {
         self.rows_from(0, usize::MAX)

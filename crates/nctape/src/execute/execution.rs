@@ -138,6 +138,11 @@ impl Execution {
         self.last_kept
     }
 
+    /// The last mark at or before a block.
+    pub(super) fn mark_before(&self, block: usize) -> Option<&Mark> {
+        self.marks[..self.marks.partition_point(|mark| mark.block <= block)].last()
+    }
+
     /// How many blocks were executed by the last edit, or at first.
     pub(crate) fn last_executed(&self) -> usize {
         self.last_executed

@@ -5,6 +5,7 @@
 
 mod arc_block;
 pub(crate) mod circle;
+mod course;
 mod emit;
 mod event;
 mod execution;
@@ -14,15 +15,20 @@ mod motion;
 pub(crate) mod parabola;
 mod parabola_block;
 mod position;
+mod registers;
 mod state;
 mod totals;
+mod walk;
 
 pub(crate) use circle::ArcFault;
+pub use course::{Course, Step, Stop};
 pub(crate) use event::{Event, EventKind, Limit, ParameterReading};
 pub(crate) use execution::execute;
 pub use execution::{Execution, Kept};
+pub use registers::{Modal, Named, Rate, Registers, Turning};
 pub(crate) use totals::Share;
 pub use totals::{Bounds, Totals};
+pub use walk::Fate;
 
 use crate::function::Group;
 use crate::read::{Block, Traits, Word};

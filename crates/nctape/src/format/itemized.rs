@@ -403,7 +403,7 @@ itemized! {
     /// Digits of a program number after `%`.
     program_number_digits: u8, "programNumberDigits", "Tape", "Digits of a program number", "none", "A number right behind the program start character marks one of several programs on a tape (B.2 note 3).";
     /// Rows per second.
-    reader_speed: Positive, "readerSpeed", "Tape", "Reader speed in rows per second", "300", "How fast the reader draws the tape: the time that reading it takes follows from it.";
+    reader_speed: Positive, "readerSpeed", "Tape", "Reader speed in rows per second", "300", "How fast the reader draws the tape: the time that reading it takes follows from it, and the pace of the replay over blocks that move nothing.";
     /// One block is read ahead.
     buffered: bool, "buffered", "Tape", "Block buffer", "yes", "Whether the next block is read while this one is executed. It is kept with the format; nothing is worked out from it here.";
 

@@ -42,6 +42,39 @@ pub enum Group {
     Once,
 }
 
+impl Group {
+    /// The groups whose functions stay in force, in the order in which a reader asks for them.
+    pub const MODAL: [Group; 10] = [
+        Group::Motion,
+        Group::Plane,
+        Group::Dimensions,
+        Group::Feed,
+        Group::Spindle,
+        Group::Compensation,
+        Group::Offset,
+        Group::Shift,
+        Group::Positioning,
+        Group::Cycle,
+    ];
+
+    /// What it is about, in a word or two.
+    pub fn title(self) -> &'static str {
+        match self {
+            Group::Motion => "Motion",
+            Group::Plane => "Plane",
+            Group::Compensation => "Cutter",
+            Group::Offset => "Tool offset",
+            Group::Cycle => "Cycle",
+            Group::Shift => "Shift",
+            Group::Positioning => "Positioning",
+            Group::Spindle => "Speed kind",
+            Group::Dimensions => "Dimensions",
+            Group::Feed => "Feed kind",
+            Group::Once => "This block",
+        }
+    }
+}
+
 /// The entry of G00 to G99; a number above 99 is unassigned.
 pub fn preparatory(number: u8) -> Preparatory {
     use Group::*;

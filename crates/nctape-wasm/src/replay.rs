@@ -1,0 +1,155 @@
+//! What a replay asks of the live tape: the way of the blocks through the control, and its registers.
+
+use crate::functions::set;
+use crate::live::Tape;
+use crate::value::to_js;
+use nctape::{Modal, Named, Rate, Registers};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+#[derive(Serialize)]
+struct RegistersView {
+    block: usize,
+    fate: &'static str,
+    program: Option<String>,
+    sequence: Option<String>,
+    modal: Vec<ModalView>,
+    once: Vec<NamedView>,
+    stop: Option<NamedView>,
+    position: Vec<f64>,
+    doubtful: Vec<bool>,
+    feed: Option<RateView>,
+    speed: Option<RateView>,
+    spindle: Option<SpindleView>,
+    coolant: Option<CoolantView>,
+    tool: Option<ToolView>,
+    others: Vec<OtherView>,
+}
+
+#[derive(Serialize)]
+struct NamedView {
+    code: String,
+    meaning: String,
+}
+
+#[derive(Serialize)]
+struct ModalView {
+    group: &'static str,
+    code: Option<String>,
+    meaning: String,
+    stated: bool,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct RateView {
+    word: String,
+    per_minute: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct SpindleView {
+    turns: &'static str,
+    code: String,
+    meaning: String,
+}
+
+#[derive(Serialize)]
+struct CoolantView {
+    on: bool,
+    code: String,
+    meaning: String,
+}
+
+#[derive(Serialize)]
+struct OtherView {
+    address: char,
+    word: Option<String>,
+}
+
+#[derive(Serialize)]
+struct ToolView {
+    word: String,
+    change: Option<NamedView>,
+}
+
+fn named(Named { code, meaning }: Named) -> NamedView {
+    NamedView { code, meaning }
+}
+
+fn modal(Modal { group, function, stated }: Modal) -> ModalView {
+    let (code, meaning) = function.map_or((None, String::new()), |named| (Some(named.code), named.meaning));
+    ModalView { group: group.title(), code, meaning, stated }
+}
+
+fn rate(Rate { word, per_minute }: Rate) -> RateView {
+    RateView { word, per_minute }
+}
+
+fn view(block: usize, held: Registers) -> RegistersView {
+    RegistersView {
+        block,
+        fate: held.fate.name(),
+        program: held.program,
+        sequence: held.sequence,
+        modal: held.modal.into_iter().map(modal).collect(),
+        once: held.once.into_iter().map(named).collect(),
+        stop: held.stop.map(named),
+        position: held.position,
+        doubtful: held.doubtful,
+        feed: held.feed.map(rate),
+        speed: held.speed.map(rate),
+        spindle: held.spindle.map(|(turning, Named { code, meaning })| SpindleView {
+            turns: turning.name(),
+            code,
+            meaning,
+        }),
+        coolant: held.coolant.map(|(on, Named { code, meaning })| CoolantView { on, code, meaning }),
+        others: held.others.into_iter().map(|(address, word)| OtherView { address, word }).collect(),
+        tool: held.tool.map(|(word, change)| ToolView { word, change: change.map(named) }),
+    }
+}
+
+#[wasm_bindgen]
+impl Tape {
+    /// What the control holds behind a block; `null` beyond the last one.
+    #[wasm_bindgen(unchecked_return_type = "Registers | null")]
+    pub fn registers(&self, block: u32) -> JsValue {
+        let block = block as usize;
+        self.tape.registers(block).map_or(JsValue::NULL, |held| to_js(&view(block, held)))
+    }
+
+    /// What the control holds behind each of some blocks: many cost little more than one.
+    #[wasm_bindgen(js_name = registersOf, unchecked_return_type = "Registers[]")]
+    pub fn registers_of(&self, first: u32, count: u32) -> JsValue {
+        let first = first as usize;
+        let held = self.tape.registers_of(first..first.saturating_add(count as usize));
+        to_js(&held.into_iter().enumerate().map(|(index, held)| view(first + index, held)).collect::<Vec<_>>())
+    }
+
+    /// How the tape passes through the control, block by block.
+    #[wasm_bindgen(unchecked_return_type = "Course")]
+    pub fn course(&self) -> JsValue {
+        let course = self.tape.course();
+        let spans = &self.tape.spans().list;
+        let rows: Vec<u32> =
+            course.steps.iter().flat_map(|step| [step.rows.start as u32, step.rows.end as u32]).collect();
+        let seconds: Vec<f64> = course.steps.iter().map(|step| step.seconds).collect();
+        let ends: Vec<u32> = course.steps.iter().map(|step| step.spans.end as u32).collect();
+        let fates: Vec<u8> = course.steps.iter().map(|step| step.fate.index() as u8).collect();
+        let stops: Vec<u8> = course.steps.iter().map(|step| step.stop.index() as u8).collect();
+        let kinds: Vec<u8> = spans.iter().map(|span| span.kind.index() as u8 + 1).collect();
+        let object = js_sys::Object::new();
+        set(&object, "rows", &js_sys::Uint32Array::from(rows.as_slice()));
+        set(&object, "seconds", &js_sys::Float64Array::from(seconds.as_slice()));
+        set(&object, "spanEnds", &js_sys::Uint32Array::from(ends.as_slice()));
+        set(&object, "fates", &js_sys::Uint8Array::from(fates.as_slice()));
+        set(&object, "stops", &js_sys::Uint8Array::from(stops.as_slice()));
+        set(&object, "spanSeconds", &js_sys::Float64Array::from(course.span_seconds.as_slice()));
+        set(&object, "spanKinds", &js_sys::Uint8Array::from(kinds.as_slice()));
+        set(&object, "assumed", &(course.assumed as f64).into());
+        set(&object, "note", &course.note.map_or(JsValue::NULL, JsValue::from));
+        set(&object, "readerSpeed", &course.reader_speed.into());
+        object.into()
+    }
+}

@@ -1,0 +1,140 @@
+// What the control holds: a table whose rows stay where they are while the tape runs.
+import { byId, el } from '../dom.js';
+import { blockName } from '../plot/words.js';
+import { coordinate, feed } from '../words.js';
+import { wayAlong } from './way.js';
+
+/** @typedef {import('../store.js').Store} Store */
+/** @typedef {import('../store.js').State} State */
+/** @typedef {import('nctape').Registers} Registers */
+
+/**
+ * One line: a word as written or a code, and what it says.
+ * @typedef {object} Line
+ * @property {string} name
+ * @property {string} code
+ * @property {string} says
+ * @property {boolean} [quiet]  the tape has not said so
+ */
+
+/** @param {Store} store */
+export function makeRegisters(store) {
+  const host = byId('registers', HTMLElement);
+  const head = el('h3', { id: 'registers-head' }, 'Registers');
+  const place = el('p', { class: 'registers-place', id: 'registers-place' });
+  const axes = el('tbody', { class: 'axes' });
+  const lines = el('tbody', { class: 'lines' });
+  host.append(
+    el('div', { class: 'registers-head' }, head, place),
+    el('table', { class: 'register-table' }, axes, lines),
+  );
+  /** The texts of the rows as they stand, so that only what changes is written. @type {string[]} */
+  let written = [];
+
+  function tell() {
+    const { held, heldBlock, summary } = store.state;
+    host.classList.toggle('blank', held === null);
+    if (held === null || heldBlock === null || summary === null) return;
+    write(place, 0, `${placeOf(held, heldBlock)}${FATES[held.fate]}`);
+    place.classList.toggle('left-out', held.fate !== 'executed');
+    const position = positionAt(store.state, held);
+    fill(axes, position.length);
+    position.forEach((value, axis) => {
+      const [name, cell] = cells(axes, axis);
+      write(name, 2 * axis + 1, summary.axes[axis] ?? '?');
+      write(cell, 2 * axis + 2, `${held.doubtful[axis] ? '? ' : ''}${coordinate(value, summary.unit)}`);
+    });
+    const all = linesOf(store.state, held);
+    fill(lines, all.length);
+    all.forEach(({ name, code, says, quiet }, index) => {
+      const [heading, cell] = cells(lines, index);
+      const at = 2 * (position.length + index) + 1;
+      write(heading, at, name);
+      const words = `${code}\n${says}\n${quiet}`;
+      if (written[at + 1] === words) return;
+      written[at + 1] = words;
+      cell.replaceChildren(el('span', { class: quiet ? 'code quiet-code' : 'code' }, code), ' ', says);
+      cell.title = [code, says].filter(Boolean).join(' ');
+    });
+  }
+
+  /**
+   * @param {HTMLElement} element
+   * @param {number} at
+   * @param {string} words
+   */
+  function write(element, at, words) {
+    if (written[at] === words && element.textContent === words) return;
+    written[at] = words;
+    element.textContent = words;
+  }
+
+  /**
+   * As many rows as there are registers; it changes with the format and the tape, never with the block.
+   * @param {HTMLTableSectionElement} body
+   * @param {number} count
+   */
+  function fill(body, count) {
+    if (body.rows.length === count) return;
+    written = [];
+    body.replaceChildren(...Array.from({ length: count }, () => el('tr', null, el('th', { scope: 'row' }), el('td'))));
+  }
+
+  store.on(['held', 'here', 'moment', 'summary'], tell);
+}
+
+/**
+ * "Program 12 · N013"; a block without a number of its own has the last one behind it.
+ * @param {Registers} held
+ * @param {import('nctape').BlockView} block
+ */
+function placeOf({ program, sequence }, block) {
+  const last = block.sequence === null && sequence !== null ? ` behind ${sequence}` : '';
+  return `${program === null ? '' : `Program ${program} · `}${blockName(block)}${last}`;
+}
+
+/** @type {Record<Registers['fate'], string>} */
+const FATES = { executed: '', skipped: ' is skipped', unreached: ' is behind the end' };
+
+/**
+ * @param {HTMLTableSectionElement} body
+ * @param {number} row
+ */
+const cells = (body, row) => /** @type {HTMLElement[]} */ ([...body.rows[row].cells]);
+
+/**
+ * Where every axis is at this moment: X, Y and Z where the tool is in the picture, another axis in proportion.
+ * @param {State} state
+ * @param {Registers} held
+ */
+function positionAt({ here, moment, path, track }, held) {
+  const span = here?.block?.index === held.block ? here.span : null;
+  if (moment === null || path === null || track === null || span === null) return held.position;
+  const { block, along } = moment;
+  if (block !== held.block || moment.share === 1 || !track.moves(block)) return held.position;
+  const place = moment.span < path.kinds.length ? wayAlong(path, moment.span, along)?.place : undefined;
+  return span.start.map((start, axis) => place?.[axis] ?? start + along * (span.end[axis] - start));
+}
+
+/**
+ * @param {State} state
+ * @param {Registers} held
+ * @returns {Line[]}
+ */
+function linesOf({ here, summary }, held) {
+  const unit = summary?.unit ?? 'mm';
+  const span = here?.block?.index === held.block ? here.span : null;
+  const along = span === null ? (held.feed?.perMinute ?? null) : span.feed;
+  /** @param {{ code: string, meaning: string } | null} named */
+  const named = (named) => ({ code: named?.code ?? '–', says: named?.meaning ?? '' });
+  return [
+    { name: 'Feed', code: held.feed?.word ?? '–', says: along === null ? '' : feed(along, unit) },
+    { name: 'Speed', code: held.speed?.word ?? '–', says: held.speed?.perMinute == null ? '' : `${Math.round(held.speed.perMinute * 10) / 10} rev/min` },
+    { name: 'Spindle', ...named(held.spindle) },
+    { name: 'Coolant', ...named(held.coolant) },
+    { name: 'Tool', code: held.tool?.word ?? '–', says: held.tool === null ? '' : held.tool.change === null ? 'not changed yet' : `${held.tool.change.code} ${held.tool.change.meaning}` },
+    ...held.others.map(({ address, word }) => ({ name: address, code: word ?? '–', says: '' })),
+    ...held.modal.map(({ group, code, meaning, stated }) => ({ name: group, code: code === null ? '–' : stated ? code : `(${code})`, says: meaning, quiet: !stated })),
+    { name: 'This block', code: held.once.map(({ code }) => code).join(' ') || '–', says: held.once.length === 1 ? held.once[0].meaning : '' },
+  ];
+}
