@@ -128,8 +128,8 @@ export const questions = {
     return null;
   },
 
-  /** @param {Tape} tape @param {number} tolerance */
-  path: (tape, tolerance) => tape.path(tolerance),
+  /** @param {Tape} tape @param {number} tolerance @param {number} since */
+  pathChange: (tape, tolerance, since) => tape.pathChange(tolerance, since),
 
   /**
    * A span with the block that ends it.

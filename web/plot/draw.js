@@ -1,5 +1,6 @@
 // The whole path in the colours of its kinds, thinned to what a pixel can show.
 import { Pen } from './pen.js';
+import { firstPointOf } from './points.js';
 import { AXES } from './view.js';
 
 /** @typedef {import('nctape').Path} Path */
@@ -17,14 +18,15 @@ const MOST_WIDE = 20_000;
  * @param {(span: number) => string} kindOf
  * @param {Record<string, string>} colours
  * @param {[number, number]} [points]  only these, the first one of a span and behind the last one of another
+ * @param {import("./view.js").Box} [box]  only what lies in this part of the picture
  */
-export function drawPath(context, view, path, kindOf, colours, [from, to] = [0, path.span.length]) {
+export function drawPath(context, view, path, kindOf, colours, [from, to] = [0, path.span.length], box = view.box()) {
   const { xyz, span, kinds, substitutes } = path;
   const [across, up] = AXES[view.plane];
   const isDense = span.length > MOST_WIDE;
   context.lineJoin = 'bevel';
   context.lineCap = 'butt';
-  const pen = new Pen(context, view.width, view.height);
+  const pen = new Pen(context, box);
   let style = -1;
   for (let i = from; i < to; i += 1) {
     const [x, y] = view.at(xyz[3 * i + across], xyz[3 * i + up]);
@@ -120,13 +122,7 @@ function lineThrough(points) {
  * @param {number} index
  */
 export function pointsOf({ span }, index) {
-  let low = 0;
-  let high = span.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (span[middle] < index) low = middle + 1;
-    else high = middle;
-  }
+  const low = firstPointOf(span, index);
   let end = low;
   while (end < span.length && span[end] === index) end += 1;
   return [low, end];

@@ -10,13 +10,14 @@ const LEAST = 0.7;
 export class Pen {
   /**
    * @param {CanvasRenderingContext2D} context
-   * @param {number} width  of the picture
-   * @param {number} height
+   * @param {import('./view.js').Box} box  the part of the picture to be drawn
    */
-  constructor(context, width, height) {
+  constructor(context, { left, top, right, bottom }) {
     this.context = context;
-    this.right = width + 8;
-    this.bottom = height + 8;
+    this.left = left - 8;
+    this.top = top - 8;
+    this.right = right + 8;
+    this.bottom = bottom + 8;
     this.count = 0;
     this.x = 0;
     this.y = 0;
@@ -95,8 +96,8 @@ export class Pen {
    */
   isOutside(x, y) {
     return (
-      (x < -8 && this.x < -8) ||
-      (y < -8 && this.y < -8) ||
+      (x < this.left && this.x < this.left) ||
+      (y < this.top && this.y < this.top) ||
       (x > this.right && this.x > this.right) ||
       (y > this.bottom && this.y > this.bottom)
     );

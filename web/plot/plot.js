@@ -6,8 +6,11 @@ import { timed } from '../timing.js';
 import { drawConstruction } from './construction.js';
 import { drawLit, drawPath, drawStart } from './draw.js';
 import { drawGrid } from './grid.js';
+import { boxAround, seen } from './dirty.js';
 import { spanAt } from './hit.js';
 import { listenToPlotHand } from './input.js';
+import { patched } from './patch.js';
+import { firstPointOf } from './points.js';
 import { AXES, isAnotherSize, isSeen, PLANES, View } from './view.js';
 import { placeLine, spanCaption, spanLine, spanRows } from './words.js';
 
@@ -38,6 +41,10 @@ export function makePlot({ store, engine, kinds, onBlock }) {
   let path = null;
   /** The tolerance of `path`, in lengths. */
   let tolerance = Infinity;
+  /** By which its change is asked for. */
+  let pathNumber = 0;
+  /** What of the kept picture a change of the path has made untrue. @type {import('./view.js').Box | null} */
+  let dirty = null;
   let baseIsTrue = false;
   const travelled = new Travelled();
   let fitted = false;
@@ -94,14 +101,30 @@ export function makePlot({ store, engine, kinds, onBlock }) {
 
   async function fetchPath(scale = view.scale) {
     const asked = TOLERANCE / scale / 2;
-    const next = await engine.ask('path', asked);
-    if (next === undefined) return false;
-    path = next;
+    const change = await engine.ask('pathChange', asked, asked === tolerance ? pathNumber : 0);
+    if (change === undefined) return false;
+    take(change);
     tolerance = asked;
+    pathNumber = change.number;
     store.set({ path });
     showLegend();
-    redrawAll();
+    redraw();
     return true;
+  }
+
+  /**
+   * Takes a change of the path over, and notes what part of the picture it touches.
+   * @param {import('nctape').PathChange} change
+   */
+  function take(change) {
+    const { first, last, kinds, span } = change;
+    const from = path === null ? 0 : firstPointOf(path.span, first);
+    if (path === null || (first === 0 && last === 0) || !baseIsTrue) baseIsTrue = false;
+    else dirty = boxAround(dirty, view, path.xyz, from, firstPointOf(path.span, path.kinds.length - last));
+    // The dots at the ends come and go with the count of spans.
+    if (path !== null && path.kinds.length !== first + kinds.length + last) baseIsTrue = false;
+    path = patched(path, change);
+    if (baseIsTrue) dirty = boxAround(dirty, view, path.xyz, from, from + span.length);
   }
 
   /** Shows the path of a changed tape, in the same moment fitted anew where that is due. */
@@ -114,10 +137,11 @@ export function makePlot({ store, engine, kinds, onBlock }) {
       if (anew !== null && view.width > 1) {
         Object.assign(view, anew);
         fitted = true;
+        baseIsTrue = false;
       }
     }
     stale = false;
-    redrawAll();
+    redraw();
   }
 
   function draw() {
@@ -130,15 +154,22 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     const { here, pointed, theme, moment, held } = store.state;
     const colours = palette(theme);
     const font = getComputedStyle(document.documentElement).getPropertyValue('--mono');
-    if (!baseIsTrue) {
+    const part = baseIsTrue ? dirty && seen(dirty, view, ratio) : view.box();
+    dirty = null;
+    if (part !== null) {
       baseContext.setTransform(ratio, 0, 0, ratio, 0, 0);
+      baseContext.save();
+      baseContext.beginPath();
+      baseContext.rect(part.left, part.top, part.right - part.left, part.bottom - part.top);
+      baseContext.clip();
       baseContext.fillStyle = colours.sheet;
       baseContext.fillRect(0, 0, view.width, view.height);
       drawGrid(baseContext, view, colours, { axes: summary.axes, unit: summary.unit === 'mm' ? 'mm' : 'in', font });
       if (moment?.led) baseContext.globalAlpha = TO_COME;
-      if (path !== null) drawPath(baseContext, view, path, kindOf, colours);
+      if (path !== null) drawPath(baseContext, view, path, kindOf, colours, undefined, part);
       baseContext.globalAlpha = 1;
       if (path !== null && path.xyz.length > 0) drawStart(baseContext, view, path.xyz.subarray(0, 3), colours);
+      baseContext.restore();
       baseIsTrue = true;
     }
     context.setTransform(1, 0, 0, 1, 0, 0);

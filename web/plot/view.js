@@ -3,6 +3,7 @@
 /** @typedef {import('nctape').Plane} Plane */
 /** @typedef {[number, number, number]} Point3 */
 /** @typedef {import('nctape').Summary['bounds']} Bounds */
+/** A part of the picture in CSS pixels. @typedef {{ left: number, top: number, right: number, bottom: number }} Box */
 
 /** The first axis of a plane goes to the right, the second up. @type {Record<Plane, [number, number]>} */
 export const AXES = { xy: [0, 1], zx: [2, 0], yz: [1, 2] };
@@ -24,6 +25,11 @@ export class View {
     this.height = 1;
     /** Room for the read-out and the labels at the edges. */
     this.margin = { left: 44, right: 28, top: 40, bottom: 56 };
+  }
+
+  /** The whole picture. @returns {Box} */
+  box() {
+    return { left: 0, top: 0, right: this.width, bottom: this.height };
   }
 
   /** @param {ArrayLike<number>} point  a place in space */

@@ -15,12 +15,15 @@ pub struct Tape {
     pub(crate) tape: CoreTape,
     offsets: Offsets,
     edit: u32,
-    drawn: Option<Drawn>,
+    /// The path that was told last, and the one before it: the page may have thrown the last one away as late.
+    told: Vec<Told>,
+    paths: u32,
 }
 
-/// The path that was asked for last, and what of it still holds.
+/// A path that was told, and what of it still holds.
 #[derive(Clone, Copy)]
-struct Drawn {
+struct Told {
+    number: u32,
     tolerance: f64,
     kept: Kept,
     blocks: usize,
@@ -71,7 +74,7 @@ impl Tape {
         let (format, _) = argument::format(format)?;
         let options = argument::options(options)?;
         let tape = CoreTape::with_skip(&source, &format, options.skip);
-        Ok(Tape { tape, offsets: Offsets::new(&source), edit: 0, drawn: None })
+        Ok(Tape { tape, offsets: Offsets::new(&source), edit: 0, told: Vec::new(), paths: 0 })
     }
 
     /// Replaces the text between two offsets; answers the number of the edit.
@@ -86,10 +89,10 @@ impl Tape {
         let text = format!("{}{insert}{}", half(splits_start), half(splits_end));
         self.tape.edit(start..end, &text);
         self.offsets.edit(self.tape.text(), start, end - start, text.len());
-        if let Some(drawn) = &mut self.drawn {
-            let kept = self.tape.last_kept();
-            drawn.kept.first = drawn.kept.first.min(kept.first);
-            drawn.kept.last = drawn.kept.last.min(kept.last);
+        let kept = self.tape.last_kept();
+        for told in &mut self.told {
+            told.kept.first = told.kept.first.min(kept.first);
+            told.kept.last = told.kept.last.min(kept.last);
         }
         self.next_edit()
     }
@@ -102,7 +105,7 @@ impl Tape {
     ) -> Result<u32, JsValue> {
         let (format, _) = argument::format(format)?;
         self.tape.set_format(&format);
-        self.drawn = None;
+        self.told.clear();
         Ok(self.next_edit())
     }
 
@@ -110,7 +113,7 @@ impl Tape {
     #[wasm_bindgen(js_name = setSkip)]
     pub fn set_skip(&mut self, on: bool) -> u32 {
         self.tape.set_skip(on);
-        self.drawn = None;
+        self.told.clear();
         self.next_edit()
     }
 
@@ -222,29 +225,32 @@ impl Tape {
     /// The flattened path with what drawing needs; the tolerance is a length above zero in the unit of the format.
     #[wasm_bindgen(unchecked_return_type = "Path")]
     pub fn path(
-        &mut self,
+        &self,
         #[wasm_bindgen(unchecked_param_type = "number")] tolerance: &JsValue,
     ) -> Result<JsValue, JsValue> {
-        let tolerance = argument::tolerance(tolerance)?;
-        Ok(self.path_of(Kept::default(), tolerance).into())
+        Ok(self.path_of(Kept::default(), argument::tolerance(tolerance)?).into())
     }
 
-    /// What has changed of the path since it was asked for last under this tolerance: all of it, if it never was, or if
-    /// the format or the switch has changed.
+    /// What has changed of the path since one that was told under the same tolerance, by its number; all of it where
+    /// that is too long ago, or where the format or the switch has changed since.
     #[wasm_bindgen(js_name = pathChange, unchecked_return_type = "PathChange")]
     pub fn path_change(
         &mut self,
         #[wasm_bindgen(unchecked_param_type = "number")] tolerance: &JsValue,
+        since: u32,
     ) -> Result<JsValue, JsValue> {
         let tolerance = argument::tolerance(tolerance)?;
-        let drawn = self.drawn.filter(|drawn| drawn.tolerance == tolerance);
-        let kept = drawn.map_or(Kept::default(), |drawn| drawn.kept);
-        let blocks = self.tape.reading().blocks.len();
-        let shift = blocks as f64 - drawn.map_or(blocks, |drawn| drawn.blocks) as f64;
+        let (spans, blocks) = (self.tape.spans().list.len(), self.tape.reading().blocks.len());
+        let base = self.told.iter().copied().find(|told| told.number == since && told.tolerance == tolerance);
+        let kept = base.map_or(Kept::default(), |told| told.kept);
         // Where nothing was edited, all stands at either end.
-        let count = self.tape.spans().list.len();
-        let kept = Kept { last: kept.last.min(count - kept.first), ..kept };
+        let kept = Kept { last: kept.last.min(spans - kept.first), ..kept };
+        let shift = blocks as f64 - base.map_or(blocks, |told| told.blocks) as f64;
+        self.paths = self.paths.wrapping_add(1);
+        let told = Told { number: self.paths, tolerance, kept: Kept { first: spans, last: spans }, blocks };
+        self.told = base.into_iter().chain([told]).collect();
         let object = self.path_of(kept, tolerance);
+        set(&object, "number", &self.paths.into());
         set(&object, "first", &(kept.first as u32).into());
         set(&object, "last", &(kept.last as u32).into());
         set(&object, "shift", &shift.into());
@@ -252,13 +258,8 @@ impl Tape {
     }
 
     /// The path of the spans between those that are kept.
-    fn path_of(&mut self, kept: Kept, tolerance: f64) -> js_sys::Object {
+    fn path_of(&self, kept: Kept, tolerance: f64) -> js_sys::Object {
         let count = self.tape.spans().list.len();
-        self.drawn = Some(Drawn {
-            tolerance,
-            kept: Kept { first: count, last: count },
-            blocks: self.tape.reading().blocks.len(),
-        });
         let range = kept.first..count - kept.last;
         let spans = &self.tape.spans().list[range.clone()];
         let object = points_to_js(&self.tape.points_of(range, tolerance));

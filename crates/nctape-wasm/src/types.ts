@@ -307,6 +307,8 @@ export interface Path extends Points {
 
 /** What has changed of a path: the spans between those that are kept. `span` counts as in the whole path. */
 export interface PathChange extends Path {
+  /** By which the next change is asked for. */
+  number: number;
   /** So many spans at the start are kept. */
   first: number;
   /** So many spans at the end are kept. */
