@@ -118,13 +118,22 @@ impl Spans {
         Spans { more: axes.saturating_sub(3), ..Spans::default() }
     }
 
-    /// None, with as many axes.
-    pub(crate) fn empty(&self) -> Spans {
-        Spans { more: self.more, ..Spans::default() }
+    /// None, with as many axes and room for so many.
+    pub(crate) fn empty(&self, room: usize) -> Spans {
+        Spans {
+            list: Vec::with_capacity(room),
+            more: self.more,
+            beyond: Vec::with_capacity(room * self.more),
+            shares: Vec::with_capacity(room),
+        }
     }
 
     /// Puts spans in the place of others.
     pub(crate) fn splice(&mut self, range: Range<usize>, others: Spans) {
+        if range == (0..self.list.len()) {
+            *self = others;
+            return;
+        }
         self.beyond.splice(range.start * self.more..range.end * self.more, others.beyond);
         self.shares.splice(range.clone(), others.shares);
         self.list.splice(range, others.list);

@@ -61,7 +61,9 @@ impl Execution {
         // The block before the first new one may be told to hold something: see `Run::hold`.
         let first = self.marks.partition_point(|mark| mark.block < reread.old.start).checked_sub(1);
         let start = first.map(|first| self.marks[first]);
-        let mut run = Run::new(reading, control, skip, start, self.spans.empty());
+        // At first a span for each block, mostly; later only what an edit changes.
+        let room = if self.spans.list.is_empty() { reading.blocks.len() } else { 2 * BETWEEN_MARKS };
+        let mut run = Run::new(reading, control, skip, start, self.spans.empty(room));
         let base = start.map_or(Lengths::default(), |mark| mark.lengths);
         let shift = reread.new.end.wrapping_sub(reread.old.end);
         let old = self.marks.partition_point(|mark| mark.block <= reread.old.end);

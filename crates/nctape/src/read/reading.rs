@@ -28,8 +28,11 @@ pub struct Reading {
 
 /// Reads a text against a control.
 pub fn read(text: &str, control: &Control) -> Reading {
-    let mut words = Vec::new();
+    // Room for as many as a tape of plain blocks has, so that the tables need not grow piece by piece: a word of six
+    // characters, a block of five words.
+    let mut words = Vec::with_capacity(text.len() / 6);
     let mut reader = Reader::new(text, control, &mut words);
+    reader.pieces.blocks.reserve(text.len() / 30);
     while reader.place.is_some() {
         reader.read();
     }
