@@ -1,5 +1,6 @@
 // What the control holds: a table whose rows stay where they are while the tape runs.
 import { byId, el } from '../dom.js';
+import { AXES } from '../plot/view.js';
 import { blockName } from '../plot/words.js';
 import { coordinate, feed } from '../words.js';
 import { wayAlong } from './way.js';
@@ -103,7 +104,8 @@ const FATES = { executed: '', skipped: ' is skipped', unreached: ' is behind the
 const cells = (body, row) => /** @type {HTMLElement[]} */ ([...body.rows[row].cells]);
 
 /**
- * Where every axis is at this moment: X, Y and Z where the tool is in the picture, another axis in proportion.
+ * Where every axis is at this moment: on a line or an arc as the span says it, on another curve where the tool is in
+ * the picture; an axis that does not take part, in proportion.
  * @param {State} state
  * @param {Registers} held
  */
@@ -113,7 +115,28 @@ function positionAt({ here, moment, path, track }, held) {
   const { block, along } = moment;
   if (block !== held.block || moment.share === 1 || !track.moves(block)) return held.position;
   const place = moment.span < path.kinds.length ? wayAlong(path, moment.span, along)?.place : undefined;
-  return span.start.map((start, axis) => place?.[axis] ?? start + along * (span.end[axis] - start));
+  // A block may end one span and stand in for another: the tool is on the first of the two.
+  if (here?.block?.span !== moment.span) return held.position.map((value, axis) => place?.[axis] ?? value);
+  const onWay = span.start.map((start, axis) => start + along * (span.end[axis] - start));
+  if (span.kind === 'line' || span.kind === 'rapid') return onWay;
+  const arc = placeOnArc(span, along);
+  return onWay.map((value, axis) => (arc ?? place)?.[axis] ?? value);
+}
+
+/**
+ * The two axes in which an arc turns, by the index of each; its radius goes from that of the start to that of the end.
+ * @param {import('nctape').Span} span
+ * @param {number} along
+ * @returns {Record<number, number> | null}
+ */
+function placeOnArc({ plane, centre, sweep, start, end }, along) {
+  if (plane === undefined || centre === undefined || sweep === undefined) return null;
+  const [across, up] = AXES[plane];
+  const [fromX, fromY] = [start[across] - centre[across], start[up] - centre[up]];
+  const startRadius = Math.hypot(fromX, fromY);
+  const radius = startRadius + along * (Math.hypot(end[across] - centre[across], end[up] - centre[up]) - startRadius);
+  const angle = Math.atan2(fromY, fromX) + along * sweep;
+  return { [across]: centre[across] + radius * Math.cos(angle), [up]: centre[up] + radius * Math.sin(angle) };
 }
 
 /**
