@@ -1,5 +1,6 @@
 // What the page asks of the tape, one question for each view. Runs in the worker.
 import { replayQuestions } from './replay/stretch.js';
+import { firstAtOrAfter } from './sorted.js';
 
 /** @typedef {import('nctape').Tape} Tape */
 /** @typedef {import('nctape').Diagnostic} Diagnostic */
@@ -217,19 +218,4 @@ function marksOf(tape, rows) {
     }
   }
   return marks;
-}
-
-/**
- * @param {Uint32Array} sorted
- * @param {number} value
- */
-function firstAtOrAfter(sorted, value) {
-  let low = 0;
-  let high = sorted.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (sorted[middle] < value) low = middle + 1;
-    else high = middle;
-  }
-  return low;
 }

@@ -1,6 +1,6 @@
 // The whole path in the colours of its kinds, thinned to what a pixel can show.
+import { firstAtOrAfter } from '../sorted.js';
 import { Pen } from './pen.js';
-import { firstPointOf } from './points.js';
 import { AXES } from './view.js';
 
 /** @typedef {import('nctape').Path} Path */
@@ -122,7 +122,7 @@ function lineThrough(points) {
  * @param {number} index
  */
 export function pointsOf({ span }, index) {
-  const low = firstPointOf(span, index);
+  const low = firstAtOrAfter(span, index);
   let end = low;
   while (end < span.length && span[end] === index) end += 1;
   return [low, end];

@@ -1,5 +1,5 @@
 // Brings a path up to date with what has changed of it.
-import { firstPointOf } from './points.js';
+import { firstAtOrAfter } from '../sorted.js';
 
 /** @typedef {import('nctape').Path} Path */
 /** @typedef {import('nctape').PathChange} PathChange */
@@ -13,8 +13,8 @@ export function patched(path, change) {
   const { first, last, shift, xyz, span, kinds, substitutes, blocks } = change;
   if (path === null || (first === 0 && last === 0)) return { xyz, span, kinds, substitutes, blocks };
   const before = path.kinds.length;
-  const from = firstPointOf(path.span, first);
-  const to = firstPointOf(path.span, before - last);
+  const from = firstAtOrAfter(path.span, first);
+  const to = firstAtOrAfter(path.span, before - last);
   const isAsLong = to - from === span.length && before - first - last === kinds.length;
   if (isAsLong) {
     path.xyz.set(xyz, 3 * from);

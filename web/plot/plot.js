@@ -1,6 +1,7 @@
 // The path of the tool, in one plane.
 import { button, byId, el, onceAFrame } from '../dom.js';
 import { palette } from '../palette.js';
+import { firstAtOrAfter } from '../sorted.js';
 import { drawBehind, drawTool, TO_COME, Travelled } from '../replay/tool.js';
 import { timed } from '../timing.js';
 import { drawConstruction } from './construction.js';
@@ -10,7 +11,6 @@ import { boxAround, seen } from './dirty.js';
 import { spanAt } from './hit.js';
 import { listenToPlotHand } from './input.js';
 import { patched } from './patch.js';
-import { firstPointOf } from './points.js';
 import { AXES, isAnotherSize, isSeen, PLANES, View } from './view.js';
 import { placeLine, spanCaption, spanLine, spanRows } from './words.js';
 
@@ -118,9 +118,9 @@ export function makePlot({ store, engine, kinds, onBlock }) {
    */
   function take(change) {
     const { first, last, kinds, span } = change;
-    const from = path === null ? 0 : firstPointOf(path.span, first);
+    const from = path === null ? 0 : firstAtOrAfter(path.span, first);
     if (path === null || (first === 0 && last === 0) || !baseIsTrue) baseIsTrue = false;
-    else dirty = boxAround(dirty, view, path.xyz, from, firstPointOf(path.span, path.kinds.length - last));
+    else dirty = boxAround(dirty, view, path.xyz, from, firstAtOrAfter(path.span, path.kinds.length - last));
     // The dots at the ends come and go with the count of spans.
     if (path !== null && path.kinds.length !== first + kinds.length + last) baseIsTrue = false;
     path = patched(path, change);
