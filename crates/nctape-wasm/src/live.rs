@@ -81,8 +81,8 @@ impl Tape {
     ///
     /// Where an end lies within a surrogate pair, the half that stays becomes U+FFFD, as JavaScript shows it.
     pub fn edit(&mut self, from: u32, to: u32, insert: &str) -> u32 {
-        let (start, splits_start) = self.offsets.boundary(from as usize);
-        let (end, splits_end) = self.offsets.boundary(to.max(from) as usize);
+        let (start, splits_start) = self.offsets.byte(from as usize);
+        let (end, splits_end) = self.offsets.byte(to.max(from) as usize);
         let pair = |at: usize| self.tape.text()[at..].chars().next().map_or(at, |c| at + c.len_utf8());
         let end = if splits_end { pair(end) } else { end.max(start) };
         let half = |splits: bool| if splits { "\u{FFFD}" } else { "" };

@@ -69,16 +69,13 @@ impl Offsets {
         match self.wide.get(behind) {
             Some(wide) if wide.unit < unit => (wide.byte, true),
             _ => match behind.checked_sub(1) {
-                Some(index) => (unit - self.wide[index].unit_end + self.wide[index].byte_end, false),
-                None => (unit, false),
+                Some(index) => {
+                    let byte = (unit - self.wide[index].unit_end).saturating_add(self.wide[index].byte_end);
+                    (byte.min(self.length), false)
+                }
+                None => (unit.min(self.length), false),
             },
         }
-    }
-
-    /// The same, for a boundary of what is to be replaced: the end of the text at most.
-    pub(crate) fn boundary(&self, unit: usize) -> (usize, bool) {
-        let (byte, half) = self.byte(unit);
-        (byte.min(self.length), half)
     }
 
     /// Line and column of a code unit, from 1.
@@ -140,6 +137,8 @@ mod tests {
             assert_eq!(offsets.utf16(byte), unit);
             assert_eq!(offsets.byte(unit), (byte, false));
         }
+        assert_eq!(offsets.byte(usize::MAX), (TEXT.len(), false), "beyond the end it is the end");
+        assert_eq!(Offsets::new("N1").byte(usize::MAX), (2, false));
     }
 
     #[test]
