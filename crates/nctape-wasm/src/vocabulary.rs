@@ -33,17 +33,21 @@ pub fn rules() -> JsValue {
             name: rule.name,
             family: rule.family(),
             title: rule.title,
-            severity: Standard::ALL
-                .iter()
-                .map(|(standard, word, _)| {
-                    (*word, rule.verdicts.under(*standard).map(|verdict| verdict.severity.name()))
-                })
-                .collect(),
+            severity: severities(rule),
             clauses: rule.clauses.iter().flat_map(|clause| clause.all()).collect(),
             page: rule.page,
         })
         .collect();
     to_js(&views)
+}
+
+fn severities(rule: &core_rules::Rule) -> BTreeMap<&'static str, Option<&'static str>> {
+    // One by one: to collect them would take a sort for this one map.
+    let mut severities = BTreeMap::new();
+    for (standard, word, _) in Standard::ALL {
+        severities.insert(*word, rule.verdicts.under(*standard).map(|verdict| verdict.severity.name()));
+    }
+    severities
 }
 
 #[derive(Serialize)]

@@ -47,6 +47,8 @@ pub mod rules;
 
 mod report;
 
+mod order;
+
 mod tape;
 
 mod suggest;

@@ -2,6 +2,7 @@
 
 use super::label::labels;
 use super::{Code, Track8, iso840, recognise, track_8};
+use crate::order::order_by_key;
 use crate::rules::{Rule, row, tape};
 use std::ops::Range;
 
@@ -197,7 +198,7 @@ pub fn decode(rows: &[u8], options: DecodeOptions) -> Decoded {
     if options.count_blocks {
         count_blocks(&mut decoded, rows, &mended, &significant, is_end);
     }
-    decoded.issues.sort_by_key(|issue| issue.row);
+    order_by_key(&mut decoded.issues, |issue| (issue.row, 0));
     decoded
 }
 

@@ -1,6 +1,7 @@
 //! Format classification detailed shorthand: annex D of both standards, and the EIA format detail of Y-1702.
 
 use super::Standard;
+use crate::order::order_by_key;
 use std::ops::Range;
 
 /// What stands between the address of a dimension word and its digits: D.3.1.
@@ -139,7 +140,7 @@ impl Detail {
             }
         }
         detail.stray.extend(tab);
-        detail.stray.sort_by_key(|range| range.start);
+        order_by_key(&mut detail.stray, |range| (range.start, 0));
         detail
     }
 

@@ -2,6 +2,7 @@
 
 use super::{Angles, Classification, Control, Designation, Format, Shorthand, Sign, Standard, System, Unit, Zeros};
 use crate::diagnostic::{Diagnostic, Sink};
+use crate::order::order_by_key;
 use crate::rules;
 
 /// A finding about a format: in which of its fields, and where in that field's text.
@@ -68,7 +69,7 @@ pub fn explain_read(format: &Format, problems: &[FormatDiagnostic]) -> Explanati
     sentences.extend(control.detail.words.iter().map(|word| word_sentence(word, &control)));
     sentences.extend(itemized_sentences(&control));
     let place = |path: &str| ["classification", "detail"].iter().position(|field| *field == path).unwrap_or(2);
-    diagnostics.sort_by_key(|found| (place(&found.path), found.diagnostic.range.start));
+    order_by_key(&mut diagnostics, |found| (place(&found.path), found.diagnostic.range.start));
     Explanation { control, sentences, diagnostics }
 }
 

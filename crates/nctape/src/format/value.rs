@@ -188,7 +188,14 @@ pub(crate) fn number(value: &Value) -> Option<f64> {
 /// A map read entry by entry; `None` where it is no map or an entry does not fit.
 pub(crate) fn map<T>(value: &Value, read: impl Fn(&Value) -> Option<T>) -> Option<BTreeMap<String, T>> {
     match value {
-        Value::Map(fields) => fields.iter().map(|(name, value)| Some((name.clone(), read(value)?))).collect(),
+        Value::Map(fields) => {
+            // One by one: to collect them would sort them first, with a sort for each type of map.
+            let mut map = BTreeMap::new();
+            for (name, value) in fields {
+                map.insert(name.clone(), read(value)?);
+            }
+            Some(map)
+        }
         _ => None,
     }
 }

@@ -5,6 +5,7 @@ pub(crate) use super::{Clause, Rule, Verdicts};
 pub(crate) use crate::code::Code;
 pub(crate) use crate::diagnostic::{Fix, Severity, Sink};
 pub(crate) use crate::format::{Control, Standard, System};
+pub(crate) use crate::order::order_by_key;
 pub(crate) use crate::read::{BlockView, NumberFault, Traits, Word};
 
 /// The page of a rule: Markdown, run as its test.

@@ -10,6 +10,7 @@ mod survey;
 
 use crate::diagnostic::Severity;
 use crate::format::{ArcCentre, ArcFeed, Dimensions, FeedCoding, Format, Itemized, Standard, System, TapeCode};
+use crate::order::order_by_key;
 use crate::tape::Tape;
 use detail::SignMark;
 use survey::Survey;
@@ -51,7 +52,7 @@ pub fn suggest(source: &str) -> Vec<Suggestion> {
         }
     }
     // Stable: candidates that leave as much wrong stay in the order of what is likely.
-    ranked.sort_by_key(|(errors, warnings, _)| (*errors, *warnings));
+    order_by_key(&mut ranked, |(errors, warnings, _)| (*errors, *warnings));
     let full = |format: Format| {
         let errors = Tape::new(source, &format).count(Severity::Error);
         let (sure, assumed) = grounds(&survey, &format, errors);

@@ -1,6 +1,7 @@
 //! What a listing shows of its format.
 
 use crate::format::{Control, DIMENSION_LETTERS, Format, Standard, System};
+use crate::order::order_by_key;
 use crate::read::{NumberFault, Reading, Word, read};
 
 /// One address, or one tab column, and the words under it.
@@ -186,7 +187,7 @@ impl Survey {
         }
         let place = |seen: &Seen| ORDER.iter().position(|&letter| letter == seen.address);
         self.letters.retain(|seen| place(seen).is_some());
-        self.letters.sort_by_key(place);
+        order_by_key(&mut self.letters, |seen| (place(seen).unwrap_or(0), 0));
     }
 
     /// Some dimension word has words of different length: zeros are left out.

@@ -35,7 +35,8 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         let axes = axes.filter(|&axis| is_used(axis) && !has(index, axis) && !has(index + 1, axis));
         let mut missing: Vec<char> = functions.chain(axes).collect();
         // In the order in which they are to be written.
-        missing.sort_by_key(|&letter| control.detail.words.iter().position(|word| word.address == letter));
+        let place = |letter: char| control.detail.words.iter().position(|word| word.address == letter);
+        order_by_key(&mut missing, |&letter| (place(letter).map_or(0, |place| place + 1), 0));
         let missing: Vec<String> = missing.into_iter().map(String::from).collect();
         if missing.is_empty() {
             continue;

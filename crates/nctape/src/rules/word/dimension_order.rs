@@ -45,7 +45,7 @@ fn in_order(block: &BlockView<'_>) -> Option<Fix> {
         return None;
     }
     let mut ordered = words.clone();
-    ordered.sort_by_key(|word| place(word, block.control));
+    order_by_key(&mut ordered, |word| (place(word, block.control).unwrap_or(0), 0));
     reorder(&words, &ordered, block)
 }
 

@@ -36,7 +36,7 @@ fn in_order(block: &BlockView<'_>) -> Option<Fix> {
     let placed = |word: &&Word| class(word, block.control).is_some();
     let words: Vec<&Word> = block.words.iter().filter(placed).collect();
     let mut ordered = words.clone();
-    ordered.sort_by_key(|word| class(word, block.control));
+    order_by_key(&mut ordered, |word| (class(word, block.control).map_or(0, usize::from), 0));
     reorder(&words, &ordered, block)
 }
 
