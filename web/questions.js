@@ -28,8 +28,6 @@ import { firstAtOrAfter } from './sorted.js';
 const SEVERITIES = ['info', 'warning', 'error'];
 const MOST_LISTED = 500;
 const MOST_MARKS = 1000;
-/** So many spans are looked at for the first without a time: most have none from the first on. */
-const MOST_TIMED = 20_000;
 /** So many blocks tell whether a format fits. */
 const MOST_JUDGED = 500;
 
@@ -117,16 +115,13 @@ export const questions = {
   },
 
   /**
-   * The first span that moves in a time that is not known, with its block; null if none of the first is such a one.
+   * The first span that moves in a time that is not known, with its block; null if there is none.
    * @param {Tape} tape
    */
   untimed(tape) {
-    for (let index = 0; index < MOST_TIMED; index += 1) {
-      const span = tape.span(index);
-      if (span === null) return null;
-      if (span.seconds === null && span.kind !== 'dwell') return { kind: span.kind, block: tape.block(span.blocks[0]) };
-    }
-    return null;
+    const index = tape.untimed();
+    const span = index < 0 ? null : tape.span(index);
+    return span === null ? null : { kind: span.kind, block: tape.block(span.blocks[0]) };
   },
 
   /** @param {Tape} tape @param {number} tolerance @param {number} since */

@@ -215,6 +215,12 @@ impl Tape {
         object.into()
     }
 
+    /// The first span that moves in a time that is not known; -1 where there is none.
+    pub fn untimed(&self) -> i32 {
+        let untimed = |span: &nctape::span::Span| span.seconds.is_none() && span.kind != nctape::span::SpanKind::Dwell;
+        self.tape.spans().list.iter().position(untimed).map_or(-1, |index| index as i32)
+    }
+
     /// A span; `null` beyond the last one.
     #[wasm_bindgen(unchecked_return_type = "Span | null")]
     pub fn span(&self, index: u32) -> JsValue {

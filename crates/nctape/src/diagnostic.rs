@@ -129,6 +129,11 @@ impl<'a> Sink<'a> {
         Sink { standard, out }
     }
 
+    /// The standard in force has a verdict on what a rule looks for.
+    pub(crate) fn asks(&self, rule: &Rule) -> bool {
+        rule.verdicts.under(self.standard).is_some()
+    }
+
     /// How many findings there are.
     pub(crate) fn len(&self) -> usize {
         self.out.len()

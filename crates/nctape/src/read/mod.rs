@@ -36,6 +36,8 @@ pub(crate) struct BlockView<'a> {
     pub skip: Option<usize>,
     /// There is a comment in it.
     pub comment: bool,
+    /// There is a tab in it, outside comments.
+    pub tab: bool,
     /// The first byte of the end-of-block character; `None` where the text ends before it.
     pub end: Option<usize>,
 }

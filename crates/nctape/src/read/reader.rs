@@ -126,6 +126,7 @@ impl<'a> Reader<'a> {
                 strays: &self.strays,
                 skip: scanned.skip,
                 comment: scanned.comment,
+                tab: scanned.tab,
                 end: match scanned.end {
                     BlockEnd::EndOfBlock(byte) => Some(byte - start),
                     _ => None,

@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
 
 /// Said once, with how many words it holds for.
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    if tape.control.system != System::TabAndAddress {
+    if tape.control.system != System::TabAndAddress || !sink.asks(&RULE) {
         return;
     }
     // Digits without an address are reported for that: WORD-11.

@@ -12,7 +12,7 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    if tape.control.system != System::TabAndAddress {
+    if tape.control.system != System::TabAndAddress || !tape.seen.any(Traits::TAB) {
         return;
     }
     let mut words = tape.words().filter(|(_, word)| !word.is_sequence() && word.address != 0);

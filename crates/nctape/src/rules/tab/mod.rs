@@ -15,6 +15,9 @@ use crate::text::{Listing, Mark};
 
 /// Where the tabs of a block stand, those in comments left out, and those behind an address (TAB-06).
 pub(crate) fn tabs(block: &BlockView<'_>) -> Vec<usize> {
+    if !block.tab {
+        return Vec::new();
+    }
     let tabs = Listing::new(block.text).filter(|it| it.mark == Mark::Character('\t') && !it.comment);
     let slipped = |at: usize| {
         block.strays.iter().any(|stray| stray.kind == StrayKind::TabBehindAddress && stray.range().start == at)

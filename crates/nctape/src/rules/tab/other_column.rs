@@ -14,7 +14,8 @@ pub static RULE: Rule = Rule {
 
 /// Said once, with how many blocks it holds for.
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    if tape.control.system != System::TabAndAddress {
+    // Words without their tabs are a matter of TAB-04 and TAB-05.
+    if tape.control.system != System::TabAndAddress || !tape.seen.any(Traits::TAB) {
         return;
     }
     let found: Vec<(&Block, Disagreement)> =

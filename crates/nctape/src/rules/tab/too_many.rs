@@ -30,7 +30,7 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
 /// The tabs of the block and how many it may have, where it has more.
 pub(crate) fn surplus(block: &BlockView<'_>) -> Option<(Vec<usize>, usize)> {
     let words = &block.control.detail.words;
-    if block.control.system == System::Address || words.is_empty() {
+    if block.control.system == System::Address || words.is_empty() || !block.tab {
         return None;
     }
     // A tab before the sequence number word is a fault of its own: SEQ-06.

@@ -69,12 +69,14 @@ pub(crate) fn feed_words<'a>(tape: &TapeView<'a>) -> impl Iterator<Item = FeedWo
     let blocks = reading.blocks.iter().filter(move |block| block.traits.any(concerns));
     blocks.filter_map(move |block| {
         let words = reading.words(block);
-        for code in words.iter().filter_map(|word| word.function(b'G')) {
+        let functions = words.iter().filter(|_| block.traits.any(Traits::address(b'G')));
+        for code in functions.filter_map(|word| word.function(b'G')) {
             if let Preparatory::Assigned(Group::Motion, _) = preparatory(code) {
                 contouring = code != 0;
             }
         }
-        let has_feed = block.traits.any(feeds) && words.iter().any(|word| is_feed(word, control));
+        let certain = block.traits.any(Traits::address(b'F'));
+        let has_feed = certain || block.traits.any(feeds) && words.iter().any(|word| is_feed(word, control));
         has_feed.then_some(FeedWords { block, words, contouring })
     })
 }
