@@ -49,6 +49,8 @@ impl Traits {
     pub(crate) const LOWER_CASE: Traits = Traits(1 << 33);
     /// A decimal sign stands in a number.
     pub(crate) const DECIMAL_SIGN: Traits = Traits(1 << 34);
+    /// It has more than one feed word, or one before a dimension word: their places want a look.
+    pub(crate) const FEED_PLACES: Traits = Traits(1 << 35);
 
     /// It has a word with this address: a capital letter or `:`.
     pub(crate) const fn address(address: u8) -> Traits {

@@ -7,7 +7,7 @@ use super::word::Word;
 use super::{BlockView, Stray};
 use crate::diagnostic::{Diagnostic, Sink};
 use crate::format::Control;
-use crate::rules;
+use crate::rules::{self, word};
 use crate::text::Listing;
 
 /// A finding of the rules of reading. The diagnostic counts from `origin`, the start of the piece that it is about, so
@@ -137,7 +137,9 @@ impl<'a> Reader<'a> {
         // What follows the last end of block without a word is no block: a comment, or layout.
         if !words.is_empty() || ended {
             let at = first_word as u32..self.words.len() as u32;
-            let traits = if scanned.tab { Traits::TAB } else { Traits::default() };
+            let tab = if scanned.tab { Traits::TAB } else { Traits::default() };
+            let places = word::wants_look(words, self.control);
+            let traits = if places { tab.with(Traits::FEED_PLACES) } else { tab };
             let block = Block::new(start..scanned.next, words, at, traits);
             let (skip, program, row, rows) = (scanned.skip.is_some(), self.program, self.row, scanned.rows);
             self.pieces.blocks.push(Block { skip, program, row, rows, ..block });

@@ -60,25 +60,31 @@ impl FeedWords<'_> {
     }
 }
 
-/// The blocks of a tape that have feed words.
+/// The blocks of a tape whose feed words want a look.
 pub(crate) fn feed_words<'a>(tape: &TapeView<'a>) -> impl Iterator<Item = FeedWords<'a>> {
-    let (reading, control) = (tape.reading, tape.control);
+    let reading = tape.reading;
     let mut contouring = false;
-    let feeds = b"FDE".iter().fold(Traits::default(), |traits, &letter| traits.with(Traits::address(letter)));
-    let concerns = feeds.with(Traits::address(b'G'));
+    let functions = Traits::address(b'G');
+    let concerns =
+        if tape.seen.any(Traits::FEED_PLACES) { functions.with(Traits::FEED_PLACES) } else { Traits::default() };
     let blocks = reading.blocks.iter().filter(move |block| block.traits.any(concerns));
     blocks.filter_map(move |block| {
         let words = reading.words(block);
-        let functions = words.iter().filter(|_| block.traits.any(Traits::address(b'G')));
-        for code in functions.filter_map(|word| word.function(b'G')) {
+        for code in words.iter().filter_map(|word| word.function(b'G')) {
             if let Preparatory::Assigned(Group::Motion, _) = preparatory(code) {
                 contouring = code != 0;
             }
         }
-        let certain = block.traits.any(Traits::address(b'F'));
-        let has_feed = certain || block.traits.any(feeds) && words.iter().any(|word| is_feed(word, control));
-        has_feed.then_some(FeedWords { block, words, contouring })
+        block.traits.any(Traits::FEED_PLACES).then_some(FeedWords { block, words, contouring })
     })
+}
+
+/// A block has more than one feed word, or one before a dimension word. One behind all dimension words is as every rule
+/// wants it.
+pub(crate) fn wants_look(words: &[Word], control: &Control) -> bool {
+    let dimension = |word: &Word| control.designation(word.address).is_some_and(|word| word.dimension);
+    let first = words.iter().position(|word| is_feed(word, control));
+    first.is_some_and(|first| words[first + 1..].iter().any(|word| is_feed(word, control) || dimension(word)))
 }
 
 /// F, and E and D where the detail makes them the second and the third feed function (B.1).
