@@ -3,6 +3,8 @@
 // Where the replay stands is a block and the share of it that is done; the row under the head has come as far
 // through the block as the tool has.
 
+import { countWhile } from '../sorted.js';
+
 /** @typedef {import('nctape').Course} Course */
 /** @typedef {{ block: number, share: number }} At */
 
@@ -56,14 +58,7 @@ export class Track {
    */
   atRow(row) {
     const { rows } = this.course;
-    let low = 0;
-    let high = this.blocks;
-    while (low < high) {
-      const middle = (low + high) >> 1;
-      if (rows[2 * middle] <= row) low = middle + 1;
-      else high = middle;
-    }
-    const block = Math.max(0, low - 1);
+    const block = Math.max(0, countWhile(this.blocks, (index) => rows[2 * index] <= row) - 1);
     const way = rows[2 * block + 1] - rows[2 * block] - 1;
     return { block, share: way > 0 ? between(0, (row - rows[2 * block]) / way, 1) : 0 };
   }
@@ -200,13 +195,4 @@ const between = (least, value, most) => Math.max(least, Math.min(most, value));
  * @param {Float64Array | Uint32Array} rising
  * @param {number} value
  */
-function behind(rising, value) {
-  let low = 0;
-  let high = rising.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (rising[middle] <= value) low = middle + 1;
-    else high = middle;
-  }
-  return low;
-}
+const behind = (rising, value) => countWhile(rising.length, (index) => rising[index] <= value);

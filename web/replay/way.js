@@ -1,5 +1,6 @@
 // How far along a span the tool is: a place on its flattened points.
 import { pointsOf } from '../plot/draw.js';
+import { countWhile } from '../sorted.js';
 
 /** @typedef {import('nctape').Path} Path */
 
@@ -39,14 +40,8 @@ export function wayAlong(path, span, along) {
   const last = lengths.length - 1;
   const way = along * lengths[last];
   if (along >= 1 || lengths[last] === 0) return { place: point(along >= 1 ? last : 0), from, to: from + last + 1 };
-  let low = 0;
-  let high = last;
-  while (high - low > 1) {
-    const middle = (low + high) >> 1;
-    if (lengths[middle] <= way) low = middle;
-    else high = middle;
-  }
-  const [one, other] = [point(low), point(high)];
-  const share = (way - lengths[low]) / (lengths[high] - lengths[low] || 1);
+  const low = countWhile(last, (index) => lengths[index] <= way) - 1;
+  const [one, other] = [point(low), point(low + 1)];
+  const share = (way - lengths[low]) / (lengths[low + 1] - lengths[low] || 1);
   return { place: one.map((value, axis) => value + share * (other[axis] - value)), from, to: from + low + 1 };
 }

@@ -1,6 +1,6 @@
 //! The tape as paper: letters in the leader, what a row of holes says, a file that holds rows, the picture of a tape.
 
-use crate::argument::{self, malformed};
+use crate::argument::{self, code_word, malformed};
 use crate::functions::{DecodedView, decoded, set};
 use crate::value::{Plain, to_js};
 use nctape::code::lettering as letters;
@@ -10,7 +10,7 @@ use nctape::span::SpanKind;
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
-const CODES: [(Code, &str); 2] = [(Code::Iso, "iso"), (Code::Eia, "eia")];
+const CODES: [Code; 2] = [Code::Iso, Code::Eia];
 
 /// The rows of a text in letters that a person reads, for the leader of a tape in either code; no row of them ends a
 /// block or starts a program. None where nothing of the text can be lettered.
@@ -52,7 +52,12 @@ struct CodesView {
 /// The tape and its two codes in words.
 #[wasm_bindgen(js_name = aboutCodes, unchecked_return_type = "AboutCodes")]
 pub fn about_codes() -> JsValue {
-    let codes = CODES.map(|(code, id)| CodeView { id, title: code.name(), tracks: code.tracks(), about: code.about() });
+    let codes = CODES.map(|code| CodeView {
+        id: code_word(code),
+        title: code.name(),
+        tracks: code.tracks(),
+        about: code.about(),
+    });
     to_js(&CodesView { tape: about_tape(), codes: codes.into() })
 }
 
@@ -69,10 +74,10 @@ struct RowInCode {
 /// What one row of holes says in each of the codes.
 #[wasm_bindgen(js_name = rowWords, unchecked_return_type = "RowInCode[]")]
 pub fn row_words(row: u8) -> JsValue {
-    let views = CODES.map(|(code, id)| {
+    let views = CODES.map(|code| {
         let words = code.row_words(row);
         let (label, name, parity, sentence) = (words.label, words.name, words.parity, words.sentence);
-        RowInCode { id, title: code.name(), label, name, parity, sentence }
+        RowInCode { id: code_word(code), title: code.name(), label, name, parity, sentence }
     });
     to_js(&views.into_iter().collect::<Vec<_>>())
 }
@@ -99,9 +104,9 @@ pub fn open_file(
         Opened::Listing { text, reason } => {
             OpenedView { kind: "listing", text, reason, format: Plain(format.write()), decoded: None }
         }
-        Opened::Image { decoded: found, reason, by_return } => {
+        Opened::Image { decoded: found, reason } => {
             let (code, end) = match found.code {
-                Code::Iso => (TapeCode::Iso, if by_return { TapeEnd::Cr } else { TapeEnd::Lf }),
+                Code::Iso => (TapeCode::Iso, if found.by_return { TapeEnd::Cr } else { TapeEnd::Lf }),
                 Code::Eia => (TapeCode::Eia, TapeEnd::Lf),
             };
             // What holds without being stated is not stated.

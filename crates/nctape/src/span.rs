@@ -176,6 +176,11 @@ impl Spans {
 }
 
 impl Span {
+    /// X, Y and Z stand still: a rotary axis moves alone, and there is no length along the path.
+    pub(crate) fn is_still(&self) -> bool {
+        self.geometry == Geometry::Line && self.start == self.end
+    }
+
     /// The smallest box around the span: least and greatest X, Y and Z.
     pub fn bounds(&self) -> ([f64; 3], [f64; 3]) {
         let mut least = std::array::from_fn(|axis| self.start[axis].min(self.end[axis]));

@@ -15,6 +15,8 @@ pub struct Decoded {
     pub code: Code,
     /// Why that code, in words.
     pub reason: String,
+    /// Blocks end with carriage returns: no line feed is on the tape.
+    pub by_return: bool,
     /// What is wrong with the rows, in their order.
     pub issues: Vec<RowIssue>,
 }
@@ -151,7 +153,7 @@ pub fn decode(rows: &[u8], options: DecodeOptions) -> Decoded {
         (None, Some((first, last))) => first..last + 1,
         (None, None) => 0..0,
     };
-    let mut decoded = Decoded { text: String::new(), code, reason, issues: Vec::new() };
+    let mut decoded = Decoded { text: String::new(), code, reason, by_return, issues: Vec::new() };
     let mut places: Vec<(usize, char)> = Vec::new();
     let mut label: Option<usize> = None;
     let labels = labels(&mended, code, &significant);

@@ -1,6 +1,6 @@
 //! What a file holds: a listing, or the image of a tape.
 
-use super::{Code, DecodeOptions, Decoded, decode};
+use super::{DecodeOptions, Decoded, decode};
 
 /// A file that was opened.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -18,8 +18,6 @@ pub enum Opened {
         decoded: Decoded,
         /// Why it was taken for an image of a tape.
         reason: String,
-        /// Blocks end with carriage returns: no line feed is on the tape.
-        by_return: bool,
     },
 }
 
@@ -52,8 +50,7 @@ pub fn open(bytes: &[u8]) -> Opened {
         return Opened::Listing { text: bytes.iter().copied().map(char::from).collect(), reason: reason.to_owned() };
     }
     let decoded = decode(bytes, DecodeOptions::default());
-    let by_return = decoded.code == Code::Iso && !bytes.contains(&0x0A) && bytes.contains(&0x8D);
-    Opened::Image { decoded, by_return, reason: "Not text: the image of a tape, one byte for each row.".to_owned() }
+    Opened::Image { decoded, reason: "Not text: the image of a tape, one byte for each row.".to_owned() }
 }
 
 /// Text in UTF-8, or in UTF-16 with its mark in front.
@@ -85,7 +82,7 @@ fn is_plain(byte: u8) -> bool {
 mod tests {
     use super::*;
     use crate::code::lettering::lettering;
-    use crate::code::{EndOfBlock, RowIssueKind, encode};
+    use crate::code::{Code, EndOfBlock, RowIssueKind, encode};
 
     const TAPE: &str = "%\nN001G01X+001000F0300\nN002M30\n";
 
@@ -96,10 +93,10 @@ mod tests {
         }
     }
 
-    fn image(bytes: &[u8]) -> (Decoded, bool) {
+    fn image(bytes: &[u8]) -> Decoded {
         match open(bytes) {
             Opened::Listing { text, .. } => panic!("a listing: {text}"),
-            Opened::Image { decoded, by_return, .. } => (decoded, by_return),
+            Opened::Image { decoded, .. } => decoded,
         }
     }
 
@@ -127,11 +124,15 @@ mod tests {
     #[test]
     fn rows_of_either_code_are_an_image() {
         for code in [Code::Iso, Code::Eia] {
-            let (decoded, by_return) = image(&encode(TAPE, code, EndOfBlock::Lf).bytes);
-            assert_eq!((decoded.code, decoded.text.as_str(), by_return), (code, TAPE, false));
+            let decoded = image(&encode(TAPE, code, EndOfBlock::Lf).bytes);
+            assert_eq!((decoded.code, decoded.text.as_str(), decoded.by_return), (code, TAPE, false));
         }
-        let (decoded, by_return) = image(&encode(TAPE, Code::Iso, EndOfBlock::Cr).bytes);
-        assert_eq!((decoded.text.as_str(), by_return), (TAPE, true));
+        let decoded = image(&encode(TAPE, Code::Iso, EndOfBlock::Cr).bytes);
+        assert_eq!((decoded.text.as_str(), decoded.by_return), (TAPE, true));
+        // Track 8 in every row: the line feed is 8A, and what is beside the carriage return must still be seen.
+        let marked: Vec<u8> = TAPE.replace('\n', "\r\n").bytes().map(|byte| byte | 0x80).collect();
+        let decoded = image(&marked);
+        assert_eq!((decoded.text.as_str(), decoded.by_return), (TAPE, false));
     }
 
     #[test]

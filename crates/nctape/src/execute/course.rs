@@ -4,7 +4,7 @@ use super::walk::{Fate, Walk, stop_of};
 use crate::Tape;
 use crate::format::Unit;
 use crate::read::Word;
-use crate::span::{Geometry, Span, SpanKind};
+use crate::span::{Span, SpanKind};
 use std::ops::Range;
 
 /// What is taken for a speed that neither tape nor format says, in millimetres and in inches per minute. The paces
@@ -99,11 +99,11 @@ impl Tape {
         let unit = control.unit.name();
         let mut notes = Vec::new();
         for (name, pace, rapids) in [("rapid", rapid, true), ("cutting", cutting, false)] {
-            if unknown().any(|span| !is_still(span) && (span.kind == SpanKind::Rapid) == rapids) {
+            if unknown().any(|span| !span.is_still() && (span.kind == SpanKind::Rapid) == rapids) {
                 notes.push(format!("{name} {pace} {unit}/min"));
             }
         }
-        if unknown().any(is_still) {
+        if unknown().any(Span::is_still) {
             notes.push(format!("{TURNING} s for a turn without feed"));
         }
         let note = (!notes.is_empty()).then(|| format!("Assumed for the replay: {}", notes.join(", ")));
@@ -119,14 +119,9 @@ fn stop(fate: Fate, words: &[Word]) -> Stop {
     }
 }
 
-/// X, Y and Z stand still: a rotary axis moves alone.
-fn is_still(span: &Span) -> bool {
-    span.geometry == Geometry::Line && span.start == span.end
-}
-
 /// The seconds of a span that nobody knows.
 fn assumed(span: &Span, rapid: f64, cutting: f64) -> f64 {
-    if is_still(span) {
+    if span.is_still() {
         return TURNING;
     }
     span.length / if span.kind == SpanKind::Rapid { rapid } else { cutting } * 60.0

@@ -61,14 +61,6 @@ impl State<'_> {
         let minutes = minutes.filter(|minutes| minutes.is_finite() && *minutes > 0.0);
         let feed = minutes.map(|minutes| length / minutes).filter(|feed| feed.is_finite());
         let seconds = minutes.map(|minutes| minutes * 60.0).filter(|seconds| seconds.is_finite());
-        // A feed per minute was judged at its word; a rapid move has none, and what moves a rotary axis alone has none
-        // along the path.
-        let still = geometry == Geometry::Line && from == to;
-        if let (Some(feed), Feed::Reciprocal(_) | Feed::PerRevolution(_)) = (feed.filter(|_| !still), self.feed)
-            && kind != SpanKind::Rapid
-        {
-            self.note_speed(None, feed);
-        }
         let span = Span {
             kind,
             blocks,
@@ -80,6 +72,14 @@ impl State<'_> {
             seconds,
             substitute: false,
         };
+        // A feed per minute was judged at its word; a rapid move has none, and what moves a rotary axis alone has none
+        // along the path.
+        if let (Some(feed), Feed::Reciprocal(_) | Feed::PerRevolution(_)) =
+            (feed.filter(|_| !span.is_still()), self.feed)
+            && kind != SpanKind::Rapid
+        {
+            self.note_speed(None, feed);
+        }
         self.push_span(span, start);
     }
 

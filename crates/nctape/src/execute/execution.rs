@@ -8,6 +8,7 @@ use super::event::{Event, EventKind};
 use super::mark::{Carried, Lengths, Mark};
 use super::state::State;
 use super::totals::{Bounds, Totals};
+use super::walk::{Fate, Walk};
 use super::{Held, run_block};
 use crate::format::Control;
 use crate::read::{Reading, Reread};
@@ -175,11 +176,10 @@ impl Lengths {
 /// Executing from one block on.
 struct Run<'a> {
     reading: &'a Reading,
-    skip: bool,
     state: State<'a>,
     /// The block to be executed next.
     index: usize,
-    ended: bool,
+    walk: Walk,
     unreached: Vec<usize>,
     ends: Vec<(usize, bool)>,
     held: Vec<(usize, Held)>,
@@ -196,12 +196,12 @@ impl<'a> Run<'a> {
             state.take_over(&mark.carried);
         }
         let index = mark.map_or(0, |mark| mark.block);
+        let behind = mark.filter(|_| index > 0).map(|mark| (&reading.blocks[index - 1], mark.carried.ended));
         Run {
             reading,
-            skip,
             state,
             index,
-            ended: mark.is_some_and(|mark| mark.carried.ended),
+            walk: behind.map_or(Walk::new(skip), |(block, ended)| Walk::behind(block, skip, ended)),
             unreached: Vec::new(),
             ends: Vec::new(),
             held: Vec::new(),
@@ -237,7 +237,7 @@ impl<'a> Run<'a> {
         }
         self.state.finish_span();
         if let Some(last) = self.reading.blocks.len().checked_sub(1) {
-            self.ends.push((last, self.ended));
+            self.ends.push((last, self.walk.ended()));
         }
         None
     }
@@ -246,18 +246,20 @@ impl<'a> Run<'a> {
     fn step(&mut self) {
         let index = self.index;
         let block = &self.reading.blocks[index];
-        // Behind a program without its end, a program start character is a rewind stop and starts no other program.
-        if self.ended && index > 0 && self.reading.blocks[index - 1].program != block.program {
+        let words = self.reading.words(block);
+        let (fate, restarts) = self.walk.meet(block, words);
+        if restarts {
             self.state.finish_span();
-            self.ends.push((index - 1, self.ended));
+            self.ends.push((index - 1, true));
             self.state.restart();
-            self.ended = false;
         }
-        if self.ended {
-            self.unreached.push(index);
-        } else if !(self.skip && block.skip) {
-            self.ended = run_block(&mut self.state, index, block, self.reading.words(block));
-            self.hold();
+        match fate {
+            Fate::Executed => {
+                run_block(&mut self.state, index, block, words);
+                self.hold();
+            }
+            Fate::Skipped => {}
+            Fate::Unreached => self.unreached.push(index),
         }
         self.index += 1;
     }
@@ -272,7 +274,7 @@ impl<'a> Run<'a> {
     }
 
     fn carried(&self) -> Carried {
-        Carried { ended: self.ended, ..self.state.carried() }
+        Carried { ended: self.walk.ended(), ..self.state.carried() }
     }
 
     fn lengths(&self) -> Lengths {

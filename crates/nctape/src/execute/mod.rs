@@ -44,9 +44,8 @@ pub(crate) struct Held {
     pub mode: Mode,
 }
 
-/// Executes one block; tells whether it ends the program.
-fn run_block(state: &mut State<'_>, index: usize, block: &Block, words: &[Word]) -> bool {
-    let mut ended = false;
+/// Executes one block.
+fn run_block(state: &mut State<'_>, index: usize, block: &Block, words: &[Word]) {
     state.begin_block(index);
     // Digits without an address may be those of any word.
     if block.traits.any(Traits::address(b'G').with(Traits::address(0))) {
@@ -61,15 +60,11 @@ fn run_block(state: &mut State<'_>, index: usize, block: &Block, words: &[Word])
         match word.address {
             b'F' => state.take_feed(place, word),
             b'S' => state.take_speed(place, word),
-            b'M' => {
-                ended |= matches!(word.value, Some(2 | 30));
-                state.take_miscellaneous(place, word);
-            }
+            b'M' => state.take_miscellaneous(place, word),
             _ => state.take_dimension(place, word),
         }
     }
     state.move_tool();
-    ended
 }
 
 /// Functions that are read and kept, but whose effect on the path is not computed.

@@ -1,6 +1,6 @@
 //! Lengths and times of a whole tape, and the room that its path takes.
 
-use crate::span::{Geometry, Span, SpanKind};
+use crate::span::{Span, SpanKind};
 
 /// Sums over all spans, added in their order.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -25,9 +25,7 @@ pub(crate) struct Share {
 
 impl Share {
     pub(crate) fn of(span: &Span) -> Share {
-        // What moves a rotary axis alone has no length along the path.
-        let still = span.geometry == Geometry::Line && span.start == span.end;
-        let length = if still { 0.0 } else { span.length };
+        let length = if span.is_still() { 0.0 } else { span.length };
         let (cutting, rapid) = match span.kind {
             SpanKind::Rapid => (0.0, length),
             SpanKind::Dwell => (0.0, 0.0),

@@ -1,6 +1,6 @@
 //! Which blocks of a tape a control executes.
 
-use crate::read::{Block, Word};
+use crate::read::{Block, Traits, Word};
 
 /// What becomes of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -32,7 +32,7 @@ impl Fate {
     }
 }
 
-/// Goes through the blocks of a tape as [`super::execute`] does.
+/// Goes through the blocks of a tape as a control does: the one place that says which of them are executed.
 pub(crate) struct Walk {
     skip: bool,
     program: Option<u32>,
@@ -44,8 +44,19 @@ impl Walk {
         Walk { skip, program: None, ended: false }
     }
 
+    /// The same from behind a block on, where it is known whether its program has ended there.
+    pub(super) fn behind(block: &Block, skip: bool, ended: bool) -> Walk {
+        Walk { skip, program: Some(block.program), ended }
+    }
+
+    /// The program has ended before the next block.
+    pub(super) fn ended(&self) -> bool {
+        self.ended
+    }
+
     /// The next block: its fate, and whether the modal state of the start holds again before it.
     pub(crate) fn meet(&mut self, block: &Block, words: &[Word]) -> (Fate, bool) {
+        // Behind a program without its end, a program start character is a rewind stop and starts no other program.
         let restarts = self.program.replace(block.program) != Some(block.program) && self.ended;
         self.ended &= !restarts;
         let fate = match self.ended {
@@ -53,7 +64,8 @@ impl Walk {
             false if self.skip && block.skip => Fate::Skipped,
             false => Fate::Executed,
         };
-        self.ended |= fate == Fate::Executed && ends_program(words);
+        let may_end = fate == Fate::Executed && block.traits.any(Traits::address(b'M'));
+        self.ended |= may_end && ends_program(words);
         (fate, restarts)
     }
 }

@@ -144,39 +144,26 @@ impl Reading {
 
     /// Rows of the tape: at most `count`, from row `first` on.
     pub fn rows(&self, text: &str, code: Code, end_of_block: EndOfBlock, first: usize, count: usize) -> Rows {
-        let (at, row) = self.piece_of_row(first);
+        let (at, row) = self.last_joint(|_, row| row <= first);
         encode_from(text, at, code, end_of_block, first - row.min(first), count)
     }
 
     /// The row whose character stands at or behind a byte of the text.
     pub fn row_at(&self, text: &str, code: Code, offset: usize) -> usize {
-        let block = self.blocks.partition_point(|block| block.range.start <= offset).checked_sub(1);
-        let head = self.heads.partition_point(|head| head.start <= offset).checked_sub(1);
-        let block = block.map_or((0, 0), |index| self.behind_or_in(index, offset));
-        let (at, row) = head.map_or(block, |index| block.max((self.heads[index].start, self.heads[index].row)));
+        let (at, row) = self.last_joint(|at, _| at <= offset);
         let before = crate::text::Listing::resume(text, at, false).take_while(|it| it.from < offset);
         row + before.filter(|it| it.has_row(code)).count()
     }
 
-    /// The start of a block and its row, or what stands behind it where the byte does.
-    fn behind_or_in(&self, index: usize, offset: usize) -> (usize, usize) {
-        let block = &self.blocks[index];
-        match offset < block.range.end {
-            true => (block.range.start, block.row),
-            false => (block.range.end, block.row + block.rows),
-        }
-    }
-
-    /// The byte where the piece begins that holds a row, and the first row of that piece.
-    fn piece_of_row(&self, row: usize) -> (usize, usize) {
-        let block = self.blocks.partition_point(|block| block.row <= row).checked_sub(1);
-        let head = self.heads.partition_point(|head| head.row <= row).checked_sub(1);
+    /// The last place where a piece begins or a block ends, byte and row, of those that `reached` holds for; it holds for
+    /// all up to some place.
+    fn last_joint(&self, reached: impl Fn(usize, usize) -> bool) -> (usize, usize) {
+        let block = self.blocks.partition_point(|block| reached(block.range.start, block.row)).checked_sub(1);
+        let head = self.heads.partition_point(|head| reached(head.start, head.row)).checked_sub(1);
         let block = block.map_or((0, 0), |index| {
             let block = &self.blocks[index];
-            match row < block.row + block.rows {
-                true => (block.range.start, block.row),
-                false => (block.range.end, block.row + block.rows),
-            }
+            let end = (block.range.end, block.row + block.rows);
+            if reached(end.0, end.1) { end } else { (block.range.start, block.row) }
         });
         head.map_or(block, |index| block.max((self.heads[index].start, self.heads[index].row)))
     }
