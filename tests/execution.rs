@@ -1,7 +1,10 @@
 //! From blocks to spans: one example worked by hand for each mode that a tape can set, and for what cannot be told.
 
+// The truth is worked out with the standard library's functions, not with those that the core uses.
+#![allow(clippy::disallowed_methods)]
+
 use nctape::format::value::Positive;
-use nctape::format::{ArcCentre, CurveKind, FeedCoding, Format, Standard};
+use nctape::format::{ArcCentre, ArcParameters, CurveKind, FeedCoding, Format, ParabolaParameters, Standard};
 use nctape::span::{Geometry, Span};
 use nctape::{Severity, Tape};
 
@@ -205,4 +208,122 @@ fn a_letter_is_joined_to_a_number_of_its_own_block_only() {
     let second = &tape.reading().blocks[1];
     let word = &tape.reading().words(second)[0];
     assert_eq!(&tape.text()[tape.reading().range(second, word)], "Y5");
+}
+
+fn parabola(span: &Span) -> [f64; 3] {
+    let Geometry::Parabola { tangent } = span.geometry else { panic!("a parabola: {span:?}") };
+    tangent
+}
+
+#[test]
+fn arcs_by_angle_and_radius() {
+    // Quarters of radius 10 about (0, 10): up to (10, 10), on by the long way, which is three quarters, and half a turn.
+    let blocks = |quarter: &str, three: &str, half: &str| {
+        let first = format!("G03X+001000Y+001000I{quarter}J+001000");
+        let back = format!("G03X+000000Y+000000I{three}J+001000");
+        [vec!["G01F0300".to_owned(), first, back, format!("G02X+000000Y+002000I{half}J+001000"), "M30".to_owned()]]
+            .concat()
+    };
+    for (class, blocks) in [
+        ("CAMD 333", blocks("+009000", "+027000", "+018000")),
+        ("CAM 333", blocks("+009000", "+027000", "+018000")),
+        ("CAMR 333", blocks("+000025", "+000075", "+000050")),
+    ] {
+        let mut format = format().classified(class);
+        format.itemized.arc_parameters = Some(ArcParameters::AngleRadius);
+        let blocks: Vec<&str> = blocks.iter().map(String::as_str).collect();
+        let tape = run(&format, &blocks);
+        assert_eq!(ids(&tape, Severity::Warning), [""; 0], "{class}");
+        let spans = &tape.spans().list;
+        assert_eq!(spans.iter().map(degrees).collect::<Vec<_>>(), [90.0, 270.0, -180.0]);
+        for (span, centre) in spans.iter().zip([[0.0, 10.0], [0.0, 10.0], [0.0, 10.0]]) {
+            // The ends are 10√2 apart, which is no number of increments: nothing is off by more than a rounding of f64.
+            let off = (arc(span).centre[0] - centre[0]).hypot(arc(span).centre[1] - centre[1]);
+            assert!(off < 1e-14, "{:?}", arc(span).centre);
+        }
+        assert!((spans[0].length - 5.0 * std::f64::consts::PI).abs() < 1e-13);
+    }
+
+    // A chord of 14.21 for ends that are 14.14 apart: both are said, a stand-in is drawn and the tape goes on.
+    let mut format = format();
+    format.itemized.arc_parameters = Some(ArcParameters::AngleRadius);
+    let tape = run(&format, &["G01F0300", "G03X+001000Y+001000I+009000J+001005", "G01X+002000M30"]);
+    let found = tape.diagnostics().into_iter().find(|found| found.severity == Severity::Error).expect("an error");
+    assert!(found.id == "MOT-04" && found.message.contains("14.21") && found.message.contains("14.14"));
+    assert_eq!(tape.spans().list.iter().map(|span| span.substitute).collect::<Vec<_>>(), [true, false]);
+    // The third axis goes on as it does about a centre, and K says nothing.
+    let tape = run(&format, &["G01F0300", "G03X+001000Y+001000Z+000400I+009000J+001000K+000100", "M30"]);
+    assert_eq!(ids(&tape, Severity::Warning), ["MOT-16"]);
+    assert!((tape.spans().list[0].length - (5.0 * std::f64::consts::PI).hypot(4.0)).abs() < 1e-13);
+}
+
+#[test]
+fn parabolas_by_tangent_slope_and_focus() {
+    // y = x²/4 from (-1, 0.25) to (2, 1): its tangents -x/2 - 0.25 and x - 1 meet in (0.5, -0.5), its focus is (0, 1).
+    // From its start those are 1.5 and -0.75, 1 and 0.75 away.
+    let blocks = |parameters| ["G00X-000100Y+000025".to_owned(), format!("G06X+000200Y+000100{parameters}F0300M30")];
+    for (kind, reading, parameters) in [
+        (None, None, "I+000050J-000050"),
+        (None, Some(ArcCentre::FromStart), "I+000150J-000075"),
+        (None, Some(ArcCentre::ToStart), "I-000150J+000075"),
+        (Some(ParabolaParameters::Slope), None, "I-000050J+000100"),
+        (Some(ParabolaParameters::Focus), None, "I+000000J+000100"),
+        (Some(ParabolaParameters::Focus), Some(ArcCentre::FromStart), "I+000100J+000075"),
+        (Some(ParabolaParameters::Focus), Some(ArcCentre::ToStart), "I-000100J-000075"),
+    ] {
+        let mut format = format();
+        (format.itemized.parabola_parameters, format.itemized.arc_centre) = (kind, reading);
+        let tape = run(&format, &blocks(parameters).each_ref().map(String::as_str));
+        assert_eq!(ids(&tape, Severity::Warning), [""; 0], "{parameters}");
+        let span = &tape.spans().list[1];
+        let tangent = parabola(span);
+        assert!((tangent[0] - 0.5).abs().max((tangent[1] + 0.5).abs()) < 1e-14 && tangent[2] == 0.0, "{tangent:?}");
+        // The primitive of sqrt(1 + x²/4) is x/2 sqrt(1 + x²/4) + asinh(x/2).
+        let long = 2f64.sqrt() + 1f64.asinh() + 0.5 * 1.25f64.sqrt() + 0.5f64.asinh();
+        assert!((span.length - long).abs() < 1e-12, "{} {long}", span.length);
+        assert_eq!(span.end, [2.0, 1.0, 0.0]);
+    }
+}
+
+#[test]
+fn a_parabola_lies_in_any_plane_in_space() {
+    // The same one stood up along (0, 0.8, 0.6): (x, y) is (x, 0.8 y, 0.6 y).
+    for (kind, parameters) in
+        [(None, "I+000050J-000040K-000030"), (Some(ParabolaParameters::Focus), "I+000000J+000080K+000060")]
+    {
+        let mut format = format();
+        format.itemized.parabola_parameters = kind;
+        let tape =
+            run(&format, &["G00X-000100Y+000020Z+000015", &format!("G06X+000200Y+000080Z+000060{parameters}F0300M30")]);
+        assert_eq!(ids(&tape, Severity::Warning), [""; 0]);
+        let tangent = parabola(&tape.spans().list[1]);
+        for (given, right) in tangent.iter().zip([0.5, -0.4, -0.3]) {
+            assert!((given - right).abs() < 1e-14, "{tangent:?}");
+        }
+    }
+    // In ZX the slopes are dX/dZ: from Z 0, X 0 with the slope 1 to Z 10, X 5 with the slope 0 by Z 5, X 5. What Y does
+    // is in proportion.
+    let mut format = format();
+    format.itemized.parabola_parameters = Some(ParabolaParameters::Slope);
+    let tape = run(&format, &["G18F0300", "G06X+000500Y+000800Z+001000I+000100J+000000", "M30"]);
+    assert_eq!((ids(&tape, Severity::Info), parabola(&tape.spans().list[0])), (vec![], [5.0, 4.0, 5.0]));
+}
+
+#[test]
+fn a_parabola_without_parameters_to_match_is_a_stand_in_and_the_tape_goes_on() {
+    for (kind, parameters) in [
+        (ParabolaParameters::Tangent, "I+000500J+000000"),
+        (ParabolaParameters::Slope, "I+000100J+000100"),
+        (ParabolaParameters::Slope, "I+000000J+000100"),
+        (ParabolaParameters::Slope, "J+000100"),
+        (ParabolaParameters::Focus, "I+000500J+000000"),
+        (ParabolaParameters::Focus, "I+000000J+000000"),
+        (ParabolaParameters::Focus, "I+002000J+000000"),
+    ] {
+        let mut format = format();
+        format.itemized.parabola_parameters = Some(kind);
+        let tape = run(&format, &[&format!("G06X+001000Y+000000{parameters}F0300"), "G01Y+001000M30"]);
+        assert_eq!(ids(&tape, Severity::Warning), ["MOT-13"], "{kind:?} {parameters}");
+        assert_eq!(tape.spans().list.iter().map(|span| span.substitute).collect::<Vec<_>>(), [true, false]);
+    }
 }

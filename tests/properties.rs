@@ -1,7 +1,8 @@
 //! What holds for every text, every format and every span.
 
 use nctape::format::{
-    ArcCentre, ArcFeed, ArcParameters, Detail, Dimensions, FeedCoding, Itemized, Places, Plane, TapeCode, explain,
+    ArcCentre, ArcFeed, ArcParameters, Detail, Dimensions, FeedCoding, Itemized, ParabolaParameters, Places, Plane,
+    TapeCode, explain,
 };
 use nctape::span::Geometry;
 use nctape::{Format, Standard, Tape};
@@ -58,10 +59,11 @@ fn itemized() -> impl Strategy<Value = Itemized> {
         some(ArcCentre::ALL),
         some(FeedCoding::ALL),
         some(ArcFeed::ALL),
+        some(ParabolaParameters::ALL),
     );
     let second = (prop::option::of(any::<bool>()), prop::option::of(any::<bool>()), prop::option::of(any::<bool>()));
     (first, second).prop_map(|(first, (helix, full_circle, compensation))| {
-        let (code, dimensions, plane, arc_parameters, arc_centre, feed, arc_feed) = first;
+        let (code, dimensions, plane, arc_parameters, arc_centre, feed, arc_feed, parabola_parameters) = first;
         Itemized {
             code,
             dimensions,
@@ -70,6 +72,7 @@ fn itemized() -> impl Strategy<Value = Itemized> {
             arc_centre,
             feed,
             arc_feed,
+            parabola_parameters,
             helix,
             full_circle,
             compensation,

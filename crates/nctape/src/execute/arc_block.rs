@@ -1,23 +1,21 @@
 //! Arcs as blocks say them: in one block by interpolation parameters, or in two by an intermediate point (4.2.2).
 
-use super::circle::{ArcBlock, ArcFault, tolerance};
-use super::event::{Event, EventKind, ParameterReading};
+use super::circle::{ArcBlock, ArcFault, Lack, tolerance};
+use super::event::{Event, EventKind};
 use super::state::{Pending, State};
-use crate::format::{ArcCentre, ArcParameters, power_of_ten};
+use crate::format::{Angles, ArcCentre, ArcParameters, power_of_ten};
 use crate::span::{Arc, Geometry, SpanKind};
+use std::f64::consts::TAU;
 
 impl State<'_> {
     /// An arc in one block: 4.2.2.1.
     pub(super) fn arc(&mut self, clockwise: bool) {
         self.finish_span();
         let start = self.position;
-        if self.control.arc_parameters != ArcParameters::Centre {
-            self.refuse(ParameterReading::AngleRadius, &start);
-            return;
-        }
+        let by_angle = self.control.arc_parameters == ArcParameters::AngleRadius;
         let [first, second, third] = self.plane.axes();
         let moved = self.words[third].filter(|_| self.target[third] != start[third] && !self.control.helix);
-        let given = self.parameters[third].map(|parameter| parameter.place);
+        let given = self.parameters[third].map(|parameter| parameter.place).filter(|_| !by_angle);
         // Said once, at the first of them; that the rest of the arc does not fit either follows from it.
         if let Some(word) = moved.or(given) {
             self.note(EventKind::OutOfPlane { word });
@@ -28,10 +26,22 @@ impl State<'_> {
             return;
         }
         let mut block = self.arc_block(clockwise, &start);
-        // The centre is rounded to its own increment, which may be coarser than that of the axes.
-        for parameter in [first, second].into_iter().filter(|&axis| self.parameters[axis].is_some()) {
-            let places = self.control.designation(b"IJK"[parameter]).map_or(0, |word| word.after);
-            block.tolerance = block.tolerance.max(tolerance(1.0 / power_of_ten(places) as f64));
+        // A centre or radius is rounded to its own increment, which may be coarser than that of the axes.
+        let lengths = if by_angle { &[1][..] } else { &[first, second] };
+        for &parameter in lengths.iter().filter(|&&index| self.parameters[index].is_some()) {
+            block.tolerance = block.tolerance.max(tolerance(self.parameter_step(parameter)));
+        }
+        if by_angle {
+            let solved = self.arc_by_angle(&block);
+            self.note_idle(2, if clockwise { 2 } else { 3 });
+            match solved {
+                Ok(arc) => self.push_arc(arc, &start),
+                Err(fault) => {
+                    self.note(EventKind::Arc(fault));
+                    self.substitute(&start, self.block);
+                }
+            }
+            return;
         }
         let full_circle = self.control.format.itemized.full_circle;
         if block.start == block.end && full_circle == Some(false) {
@@ -46,7 +56,7 @@ impl State<'_> {
                 if block.start == block.end && full_circle.is_none() {
                     self.note(EventKind::FullCircle);
                 }
-                self.push(SpanKind::Arc, (self.block, self.block), &start, Geometry::Arc(arc), Some(arc.sweep));
+                self.push_arc(arc, &start);
             }
             Err(fault) => {
                 if given.is_none() {
@@ -54,6 +64,47 @@ impl State<'_> {
                 }
                 self.substitute(&start, self.block);
             }
+        }
+    }
+
+    fn push_arc(&mut self, arc: Arc, start: &[i64]) {
+        self.push(SpanKind::Arc, (self.block, self.block), start, Geometry::Arc(arc), Some(arc.sweep));
+    }
+
+    /// The arc whose included angle is I, in the angular unit of the classification, and whose radius is J (figure 2).
+    fn arc_by_angle(&self, block: &ArcBlock) -> Result<Arc, ArcFault> {
+        let lacks = |lack| Err(ArcFault::NotDetermined(lack));
+        let full_turn = match self.control.angles() {
+            Angles::Turns => 1.0,
+            Angles::Degrees => 360.0,
+        };
+        let Some(turns) = self.parameter(0).map(|angle| angle / full_turn) else { return lacks(Lack::Angle) };
+        let Some(radius) = self.parameter(1) else { return lacks(Lack::Radius) };
+        match radius {
+            _ if block.start == block.end => lacks(Lack::Closed),
+            _ if turns <= 0.0 || turns >= 1.0 => lacks(Lack::AngleRange),
+            0.0 => Err(ArcFault::ZeroRadius),
+            ..0.0 => lacks(Lack::NegativeRadius),
+            _ => block.by_angle(turns * TAU, self.parameter_step(0) / full_turn * TAU, radius),
+        }
+    }
+
+    /// The number of a parameter as it stands on the tape.
+    pub(super) fn parameter(&self, index: usize) -> Option<f64> {
+        let places = self.control.designation(b"IJK"[index]).map_or(0, |word| word.after);
+        self.parameters[index].map(|parameter| parameter.value as f64 / power_of_ten(places) as f64)
+    }
+
+    /// The increment of a parameter.
+    pub(super) fn parameter_step(&self, index: usize) -> f64 {
+        let places = self.control.designation(b"IJK"[index]).map_or(0, |word| word.after);
+        1.0 / power_of_ten(places) as f64
+    }
+
+    /// Notes a parameter that the function has no use for.
+    pub(super) fn note_idle(&mut self, index: usize, code: u8) {
+        if let Some(parameter) = self.parameters[index] {
+            self.note(EventKind::IdleParameter { word: parameter.place, code });
         }
     }
 

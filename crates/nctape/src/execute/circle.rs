@@ -14,6 +14,25 @@ pub(crate) enum ArcFault {
     /// The end is not on the circle: the radii at the ends, how the parameters were read, and the reading under which
     /// the end is on it.
     RadiusMismatch { start: f64, end: f64, tolerance: f64, read: ArcCentre, fits: Option<ArcCentre> },
+    /// Angle and radius make another chord than the ends.
+    ChordMismatch { chord: f64, ends: f64, tolerance: f64 },
+    /// Angle and radius say of no arc.
+    NotDetermined(Lack),
+}
+
+/// What an included angle and a radius lack.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Lack {
+    /// I, the angle, is not given.
+    Angle,
+    /// J, the radius, is not given.
+    Radius,
+    /// The angle is not between zero and a full turn.
+    AngleRange,
+    /// The radius is negative.
+    NegativeRadius,
+    /// The arc ends where it starts: its centre may lie in any direction.
+    Closed,
 }
 
 /// The largest difference between the radii at start and end that the rounding of the tape explains.
@@ -67,6 +86,32 @@ impl ArcBlock {
             start_angle: libm::atan2(from[1], from[0]),
             sweep,
         })
+    }
+
+    /// The arc of an included angle, in radians between 0 and 2π, and a positive radius. `angle_step` is the increment
+    /// in which the tape says the angle.
+    ///
+    /// Ends, angle and radius say one thing too many: the chord 2R sin(a/2) must be the distance of the ends, but for
+    /// the rounding of the tape, to which that of the angle adds R cos(a/2) for each radian. Within it the centre is
+    /// put opposite the middle of the chord at the height R cos(a/2): neither a half turn nor a short arc makes that
+    /// uncertain, as it would be by the chord and one of the two alone. It is negative for more than half a turn, which
+    /// is the long way round.
+    pub(crate) fn by_angle(&self, angle: f64, angle_step: f64, radius: f64) -> Result<Arc, ArcFault> {
+        let along = [self.end[0] - self.start[0], self.end[1] - self.start[1]];
+        let ends = length(along);
+        let (sine, cosine) = libm::sincos(angle / 2.0);
+        let chord = 2.0 * radius * sine;
+        let tolerance = self.tolerance + radius * cosine.abs() * angle_step;
+        if (chord - ends).abs() > tolerance {
+            return Err(ArcFault::ChordMismatch { chord, ends, tolerance });
+        }
+        if ends == 0.0 {
+            return Err(ArcFault::NotDetermined(Lack::Closed));
+        }
+        // The centre of a short counter-clockwise arc lies left of its chord.
+        let height = radius * cosine * if self.clockwise { -1.0 } else { 1.0 } / ends;
+        let middle = [(self.start[0] + self.end[0]) / 2.0, (self.start[1] + self.end[1]) / 2.0];
+        self.about([middle[0] - along[1] * height, middle[1] + along[0] * height])
     }
 
     /// The arc stays within a quadrant about its centre, but for the rounding of the tape.

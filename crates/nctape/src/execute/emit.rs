@@ -1,6 +1,6 @@
 //! Spans with their length, feed and time.
 
-use super::event::{Event, EventKind, Limit, ParameterReading};
+use super::event::{Event, EventKind};
 use super::feed::Feed;
 use super::parabola::{Parabola, norm, subtract};
 use super::state::{Motion, State, in_unit};
@@ -8,11 +8,6 @@ use crate::format::ArcFeed;
 use crate::span::{Geometry, Span, SpanKind};
 
 impl State<'_> {
-    pub(super) fn refuse(&mut self, what: ParameterReading, start: &[i64]) {
-        self.note(EventKind::NotCarriedOut(Limit::Parameters(what)));
-        self.substitute(start, self.block);
-    }
-
     /// A straight stand-in from `start` to the target, whose feed and time are not known.
     pub(super) fn substitute(&mut self, start: &[i64], first: usize) {
         if *start == *self.target {

@@ -1,6 +1,7 @@
 //! What executing noted: facts with their figures, no words.
 
 use super::circle::ArcFault;
+use super::parabola::ParabolaFault;
 
 /// Something that executing could not do as written, or that is worth knowing.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,10 +40,12 @@ pub(crate) enum EventKind {
     OnALine,
     /// A three-point arc runs the other way than its G code says.
     OtherWay { clockwise: bool },
-    /// The tangent intersection point, or the intermediate point, lies on the chord.
-    Degenerate { intermediate: bool },
+    /// A parabola that cannot be computed.
+    Parabola(ParabolaFault),
     /// The intermediate point of a parabola is far from opposite the middle of the chord.
     Skewed,
+    /// The tangents of a parabola by its slopes meet beside the ends, so that it turns back on its way.
+    TurnsBack,
     /// Interpolation parameters where none are used.
     IdleParameter { word: usize, code: u8 },
     /// A motion block whose dimension words move nothing.
@@ -66,25 +69,5 @@ pub(crate) enum EventKind {
     /// A motion that could not be drawn at all, because no word of it could be read: the time of the tape is not known.
     LeftOut,
     /// A preparatory function whose effect is not computed.
-    NotCarriedOut(Limit),
-}
-
-/// What is read but not computed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Limit {
-    /// A preparatory function.
-    Function(u8),
-    /// A reading of I, J and K that the format states.
-    Parameters(ParameterReading),
-}
-
-/// A reading of the interpolation parameters that is not worked out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum ParameterReading {
-    /// Arcs by included angle and radius.
-    AngleRadius,
-    /// Parabolas by the slopes at their ends.
-    Slope,
-    /// Parabolas by their focus.
-    Focus,
+    NotCarriedOut(u8),
 }

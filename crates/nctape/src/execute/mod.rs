@@ -20,11 +20,12 @@ mod state;
 mod totals;
 mod walk;
 
-pub(crate) use circle::ArcFault;
+pub(crate) use circle::{ArcFault, Lack};
 pub use course::{Course, Step, Stop};
-pub(crate) use event::{Event, EventKind, Limit, ParameterReading};
+pub(crate) use event::{Event, EventKind};
 pub(crate) use execution::execute;
 pub use execution::{Execution, Kept};
+pub(crate) use parabola::ParabolaFault;
 pub use registers::{Modal, Named, Rate, Registers, Turning};
 pub(crate) use totals::Share;
 pub use totals::{Bounds, Totals};

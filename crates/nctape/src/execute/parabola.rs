@@ -8,7 +8,96 @@ pub(crate) struct Parabola {
     pub end: [f64; 3],
 }
 
+/// Why a parabola cannot be computed from its points or parameters.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ParabolaFault {
+    /// The intermediate point lies on the chord.
+    Intermediate,
+    /// The tangent intersection point lies on the chord.
+    Tangent,
+    /// A slope is not given: 0 for I, 1 for J.
+    NoSlope(usize),
+    /// The slopes are equal: the tangents do not meet.
+    Parallel,
+    /// A tangent runs through both ends.
+    SlopeOfChord,
+    /// The focus is the start or the end.
+    FocusAtEnd,
+    /// The focus lies between the ends on their line: two parabolas, mirror images of one another, are as good.
+    FocusBetween,
+    /// The focus lies on the line through the ends, and not between them.
+    FocusOnLine,
+}
+
 impl Parabola {
+    /// The parabola whose tangents at the ends have these slopes in a plane, second axis over first: their
+    /// intersection is the tangent point. Slopes say nothing of the third axis of the plane; it goes in proportion to
+    /// the curve's parameter, as that of a helix to the angle, so that the span lies in one plane in space.
+    pub(crate) fn by_slopes(
+        start: [f64; 3],
+        end: [f64; 3],
+        [first, second, third]: [usize; 3],
+        slopes: [f64; 2],
+    ) -> Result<Parabola, ParabolaFault> {
+        if slopes[0] == slopes[1] {
+            return Err(ParabolaFault::Parallel);
+        }
+        let chord = subtract(end, start);
+        let along = (chord[second] - slopes[1] * chord[first]) / (slopes[0] - slopes[1]);
+        let mut tangent = [0.0; 3];
+        tangent[first] = start[first] + along;
+        tangent[second] = start[second] + slopes[0] * along;
+        tangent[third] = (start[third] + end[third]) / 2.0;
+        Ok(Parabola { start, tangent, end })
+    }
+
+    /// The parabola about a focus, which must be further than a distance from the line through the ends.
+    ///
+    /// The directrix is as far from each end as the focus, so it touches the circles about the ends that run through
+    /// the focus. These have two common tangents, and so there are two parabolas: from the focus, the arc of the one is
+    /// seen under less than half a turn, that of the other under more. The first is taken, as an arc of a circle goes
+    /// the short way: it is the flat one, and any longer arc can be divided into such.
+    pub(crate) fn about(
+        start: [f64; 3],
+        focus: [f64; 3],
+        end: [f64; 3],
+        tolerance: f64,
+    ) -> Result<Parabola, ParabolaFault> {
+        let (from, to) = (subtract(focus, start), subtract(focus, end));
+        let (r0, r2) = (norm(from), norm(to));
+        if r0 <= tolerance || r2 <= tolerance {
+            return Err(ParabolaFault::FocusAtEnd);
+        }
+        let chord = subtract(end, start);
+        let reach = norm(chord);
+        // Where start and end are one point, every directrix would do.
+        if reach <= tolerance {
+            return Err(ParabolaFault::FocusOnLine);
+        }
+        let along = chord.map(|component| component / reach);
+        let x = dot(from, along);
+        let beside: [f64; 3] = std::array::from_fn(|axis| from[axis] - x * along[axis]);
+        let y = norm(beside);
+        if y <= tolerance {
+            let between = x > 0.0 && x < reach;
+            return Err(if between { ParabolaFault::FocusBetween } else { ParabolaFault::FocusOnLine });
+        }
+        let across = beside.map(|component| component / y);
+        // The axis of the parabola, from directrix to focus: the ends are r0 and r2 away from the directrix. That with
+        // the positive sine points to the side of the focus.
+        let cosine = ((r2 - r0) / reach).clamp(-1.0, 1.0);
+        let sine = (1.0 - cosine * cosine).sqrt();
+        let axis: [f64; 3] = std::array::from_fn(|i| cosine * along[i] + sine * across[i]);
+        let side: [f64; 3] = std::array::from_fn(|i| sine * along[i] - cosine * across[i]);
+        // In the coordinates u along the directrix and v along the axis from the vertex, v = u²/2p; the tangents at
+        // u0 and u2 meet at u = (u0 + u2)/2, v = u0 u2/2p.
+        let p = x * cosine + y * sine + r0;
+        let (u0, u2) = (-dot(from, side), -dot(to, side));
+        let (u, v) = ((u0 + u2) / 2.0, u0 * u2 / (2.0 * p) - p / 2.0);
+        let tangent = std::array::from_fn(|i| focus[i] + side[i] * u + axis[i] * v);
+        Ok(Parabola { start, tangent, end })
+    }
+
     /// The parabola through an intermediate point whose tangent is parallel to the chord (figure 3: P1). That point
     /// is P(1/2), so PT = 2 P1 - (P0 + P2)/2.
     pub(crate) fn through(start: [f64; 3], middle: [f64; 3], end: [f64; 3]) -> Parabola {
@@ -151,6 +240,24 @@ mod tests {
             let parabola = Parabola::through([0.0, 0.0, 0.0], [x, 2.0, 0.0], [10.0, 0.0, 0.0]);
             assert_eq!(parabola.is_skewed(), skewed, "{x}");
         }
+    }
+
+    /// By hand, on y = x²/4, whose focus is (0, 1): from (-1, 0.25) to (2, 1) the tangents -x/2 - 0.25 and
+    /// x - 1 meet in (0.5, -0.5).
+    #[test]
+    fn slopes_and_focus_give_the_tangent_point() {
+        let (start, end) = ([-1.0, 0.25, 0.0], [2.0, 1.0, 0.0]);
+        let slopes = Parabola::by_slopes(start, end, [0, 1, 2], [-0.5, 1.0]).expect("slopes");
+        assert_eq!(slopes.tangent, [0.5, -0.5, 0.0]);
+        let focus = Parabola::about(start, [0.0, 1.0, 0.0], end, 1e-3).expect("a focus");
+        let off = norm(subtract(focus.tangent, [0.5, -0.5, 0.0]));
+        assert!(off < 1e-14, "{:?}", focus.tangent);
+        let fault = |focus: [f64; 3]| Parabola::about(start, focus, end, 1e-3).expect_err("a fault");
+        assert_eq!(fault(start), ParabolaFault::FocusAtEnd);
+        assert_eq!(fault([0.0, 0.5, 0.0]), ParabolaFault::FocusBetween);
+        assert_eq!(fault([6.0, 2.0, 0.0]), ParabolaFault::FocusOnLine);
+        let parallel = Parabola::by_slopes(start, end, [0, 1, 2], [0.5, 0.5]);
+        assert_eq!(parallel, Err(ParabolaFault::Parallel));
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! What the control holds from block to block: modal functions, position, feed.
 
-use super::event::{Event, EventKind, Limit};
+use super::event::{Event, EventKind};
 use super::feed::{self, CodeFault, Feed};
 use super::is_carried_out;
 use super::mark::Carried;
@@ -253,7 +253,7 @@ impl<'a> State<'a> {
             _ => {}
         }
         if !is_carried_out(group, code) {
-            self.note(EventKind::NotCarriedOut(Limit::Function(code)));
+            self.note(EventKind::NotCarriedOut(code));
         }
     }
 
@@ -288,7 +288,7 @@ impl<'a> State<'a> {
             self.lost_function = true;
             return;
         }
-        self.note(EventKind::NotCarriedOut(Limit::Function(code)));
+        self.note(EventKind::NotCarriedOut(code));
     }
 
     pub(crate) fn take_feed(&mut self, place: usize, word: &Word) {

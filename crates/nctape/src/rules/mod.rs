@@ -129,6 +129,7 @@ pub static ALL: &[&Rule] = &[
     &motion::idle_parameter::RULE,
     &motion::no_motion::RULE,
     &motion::overflow::RULE,
+    &motion::undetermined_arc::RULE,
     &feed::short_reciprocal::RULE,
     &feed::no_own_feed::RULE,
     &feed::arc_feed_not_stated::RULE,
@@ -299,6 +300,7 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         motion::radius_mismatch::check(event, tape, sink);
         motion::other_reading::check(event, tape, sink);
         motion::zero_radius::check(event, tape, sink);
+        motion::undetermined_arc::check(event, tape, sink);
         motion::unfinished_arc::check(event, tape, sink);
         motion::points_on_a_line::check(event, tape, sink);
         motion::other_way::check(event, tape, sink);

@@ -13,6 +13,7 @@ pub(crate) mod points_on_a_line;
 pub(crate) mod radius_mismatch;
 pub(crate) mod skewed_parabola;
 pub(crate) mod too_many_axes;
+pub(crate) mod undetermined_arc;
 pub(crate) mod unfinished_arc;
 pub(crate) mod unfinished_parabola;
 pub(crate) mod zero_radius;

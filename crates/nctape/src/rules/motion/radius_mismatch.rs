@@ -13,12 +13,17 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(event: &Event, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    let EventKind::Arc(ArcFault::RadiusMismatch { start, end, tolerance, fits: None, .. }) = event.kind else { return };
-    let places = tape.places();
-    let message = format!(
-        "The end is not on the circle: the radius is {start:.places$} at the start and {end:.places$} at the end; they \
-         may differ by {tolerance:.4} {unit}. Correct the end point or the centre.",
-        unit = tape.control.unit.name(),
-    );
+    let (places, unit) = (tape.places(), tape.control.unit.name());
+    let message = match event.kind {
+        EventKind::Arc(ArcFault::RadiusMismatch { start, end, tolerance, fits: None, .. }) => format!(
+            "The end is not on the circle: the radius is {start:.places$} at the start and {end:.places$} at the end; they \
+             may differ by {tolerance:.4} {unit}. Correct the end point or the centre."
+        ),
+        EventKind::Arc(ArcFault::ChordMismatch { chord, ends, tolerance }) => format!(
+            "Angle I and radius J make a chord of {chord:.places$}, but the end is {ends:.places$} from the start; they may \
+             differ by {tolerance:.4} {unit}. Correct the end point, the angle or the radius."
+        ),
+        _ => return,
+    };
     sink.report(&RULE, tape.parameters(event.block), message);
 }

@@ -2,6 +2,7 @@
 
 use crate::execute::ArcFault;
 use crate::execute::{Event, EventKind};
+use crate::format::ArcParameters;
 use crate::rules::prelude::*;
 
 /// The rule.
@@ -15,9 +16,9 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(event: &Event, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     let EventKind::Arc(ArcFault::ZeroRadius) = event.kind else { return };
-    sink.report(
-        &RULE,
-        tape.parameters(event.block),
-        "The centre of the arc is its start point: the radius is zero. Correct I, J and K.".to_owned(),
-    );
+    let message = match tape.control.arc_parameters {
+        ArcParameters::Centre => "The centre of the arc is its start point: the radius is zero. Correct I, J and K.",
+        ArcParameters::AngleRadius => "The radius J of the arc is zero. Correct it.",
+    };
+    sink.report(&RULE, tape.parameters(event.block), message.to_owned());
 }
