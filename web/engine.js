@@ -47,6 +47,8 @@ export class Engine {
     this.callbacks = callbacks;
     /** @type {Map<number, Pending>} */
     this.pending = new Map();
+    /** What goes to the worker in one message: the views ask in the same moment, and are answered in the same one. */
+    this.outbox = /** @type {Pending['request'][]} */ ([]);
     this.lastId = 0;
     /** How many changes have been made. */
     this.edit = 0;
@@ -68,8 +70,8 @@ export class Engine {
     worker.onmessage = ({ data }) => {
       if (data.ready) alive = true;
       else if (data.failed !== undefined) this.callbacks.onFail(data.failed);
-      else if (data.trap !== undefined) this.restart(data.trap);
-      else this.settle(data);
+      else for (const reply of data.replies) this.settle(reply);
+      if (data.trap !== undefined) this.restart(data.trap);
     };
     worker.onerror = (event) => {
       event.preventDefault();
@@ -173,8 +175,17 @@ export class Engine {
     const request = { id: this.lastId, about, name, args };
     return new Promise((resolve) => {
       this.pending.set(request.id, { request, edit: this.edit, resolve });
-      this.worker.postMessage(request);
+      this.post(request);
     });
+  }
+
+  /**
+   * @private
+   * @param {Pending['request']} request
+   */
+  post(request) {
+    this.outbox.push(request);
+    if (this.outbox.length === 1) queueMicrotask(() => this.worker.postMessage(this.outbox.splice(0)));
   }
 
   /**
@@ -200,6 +211,7 @@ export class Engine {
     this.traps += 1;
     this.down = this.traps > 1;
     this.worker.terminate();
+    this.outbox.length = 0;
     const unanswered = [...this.pending.values()];
     this.pending.clear();
     this.worker = this.start();
@@ -207,7 +219,7 @@ export class Engine {
       if (waiting.request.about !== 'fact') waiting.resolve(undefined);
       else if (!this.down) {
         this.pending.set(waiting.request.id, waiting);
-        this.worker.postMessage(waiting.request);
+        this.post(waiting.request);
       }
     }
     this.callbacks.onTrap(message, this.down);

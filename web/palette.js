@@ -52,3 +52,9 @@ export function palette(theme) {
   kept = { theme, colours };
   return colours;
 }
+
+/** @type {string | null} */
+let font = null;
+
+/** The font of numbers and words on a canvas. It is asked for once: the answer makes the browser lay out the page. */
+export const mono = () => (font ??= getComputedStyle(document.documentElement).getPropertyValue('--mono'));

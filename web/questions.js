@@ -6,15 +6,7 @@ import { firstAtOrAfter } from './sorted.js';
 /** @typedef {import('nctape').Diagnostic} Diagnostic */
 /** @typedef {import('nctape').Severity} Severity */
 
-/**
- * A block as the editor marks it.
- * @typedef {object} ListedBlock
- * @property {number} from
- * @property {number} to
- * @property {string | null} sequence
- * @property {number} kind  0 none, else an index into `spanKinds()` plus 1
- * @property {{ from: number, to: number, address: string }[]} words
- */
+/** @typedef {{ syntax: import('nctape').Syntax, diagnostics: Diagnostic[] }} Listing  what the editor marks */
 
 /**
  * A stretch of rows with all that is drawn around it.
@@ -30,9 +22,6 @@ const MOST_LISTED = 500;
 const MOST_MARKS = 1000;
 /** So many blocks tell whether a format fits. */
 const MOST_JUDGED = 500;
-
-/** @param {Tape} tape @param {number} row */
-const kindOfRow = (tape, row) => tape.rows(row, 1).kinds[0] ?? 0;
 
 export const questions = {
   ...replayQuestions,
@@ -55,25 +44,12 @@ export const questions = {
    * @param {Tape} tape
    * @param {number} from
    * @param {number} to
-   * @returns {{ blocks: ListedBlock[], diagnostics: Diagnostic[] }}
+   * @returns {Listing}
    */
-  listing(tape, from, to) {
-    /** @type {ListedBlock[]} */
-    const blocks = [];
-    const first = firstBlockFrom(tape, from, to);
-    for (let index = first; index >= 0 && blocks.length < MOST_LISTED; index += 1) {
-      const block = tape.block(index);
-      if (block === null || block.from > to) break;
-      blocks.push({
-        from: block.from,
-        to: block.to,
-        sequence: block.sequence,
-        kind: block.rows[0] < block.rows[1] ? kindOfRow(tape, block.rows[0]) : 0,
-        words: block.words.slice(0, MOST_LISTED).map(({ from, to, address }) => ({ from, to, address })),
-      });
-    }
-    return { blocks, diagnostics: tape.diagnostics(from, to, MOST_LISTED) };
-  },
+  listing: (tape, from, to) => ({
+    syntax: tape.syntax(from, to, MOST_LISTED),
+    diagnostics: tape.diagnostics(from, to, MOST_LISTED),
+  }),
 
   /**
    * @param {Tape} tape
@@ -179,21 +155,6 @@ function blockFromRow(tape, row, direction) {
     if (first <= 0 && direction < 0) return -1;
     if (blocks.length === 0) return -1;
   }
-}
-
-/**
- * The first block that touches a stretch of text, -1 if none does.
- * @param {Tape} tape
- * @param {number} from
- * @param {number} to
- */
-function firstBlockFrom(tape, from, to) {
-  const at = tape.blockAt(from);
-  if (at >= 0) return at;
-  const row = tape.rowAt(from);
-  if (row < 0) return -1;
-  const rows = tape.rows(row, Math.min(to - from, 4096) + 1);
-  return rows.blocks.find((index) => index >= 0) ?? -1;
 }
 
 /**

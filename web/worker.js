@@ -1,4 +1,5 @@
-// The worker owns the wasm and the one live tape. It answers in the order in which it is asked.
+// The worker owns the wasm and the one live tape. It answers in the order in which it is asked; what came in one
+// message is answered in one.
 import init, * as nctape from 'nctape';
 import { tapePicture } from './files/tape-picture.js';
 import { questions } from './questions.js';
@@ -89,7 +90,9 @@ const facts = {
 /** @typedef {typeof facts} Facts */
 /** @typedef {typeof questions} Questions */
 
-/** @param {{ about: string, name: string, args: any[] }} request */
+/** @typedef {{ id: number, about: string, name: string, args: any[] }} Request */
+
+/** @param {Request} request */
 function answer({ about, name, args }) {
   if (about === 'change') {
     const change = /** @type {(...args: any[]) => Change} */ (changes[/** @type {keyof Changes} */ (name)]);
@@ -125,11 +128,20 @@ onmessage = async ({ data }) => {
   } catch {
     return;
   }
-  try {
-    const value = await timed(`nctape.${data.name}`, () => answer(data));
-    postMessage({ id: data.id, value });
-  } catch (error) {
-    const message = error instanceof Error ? error.message : String(error);
-    postMessage(isRefusal(error) ? { id: data.id, refused: message } : { id: data.id, trap: message });
+  /** @type {({ id: number, value: unknown } | { id: number, refused: string })[]} */
+  const replies = [];
+  for (const request of /** @type {Request[]} */ (data)) {
+    try {
+      const value = await timed(`nctape.${request.name}`, () => answer(request));
+      replies.push({ id: request.id, value });
+    } catch (error) {
+      const message = error instanceof Error ? error.message : String(error);
+      if (!isRefusal(error)) {
+        postMessage({ replies, trap: message });
+        return;
+      }
+      replies.push({ id: request.id, refused: message });
+    }
   }
+  postMessage({ replies });
 };

@@ -154,3 +154,15 @@ test("a picture of a tape is true to scale", () => {
   assert.equal(rgba.length, 4 * width * height);
   assert.ok(Math.abs(width / pixelsPerMetre - 2 * 0.00254) < 1e-12);
 });
+
+test("what colours the listing: each address, the sequence number as a whole, the kind of each block", () => {
+  const { format } = preset("annex-e-circular");
+  const source = "%\nN001 G00 X+000100\nN002 M02\n";
+  const tape = new nctape.Tape(source, format, null);
+  const { starts, kinds, ranges, roles } = tape.syntax(0, source.length, 100);
+  const pieces = Array.from(roles, (role, i) => [source.slice(ranges[2 * i], ranges[2 * i + 1]), role]);
+  assert.deepEqual(pieces, [["N001", 1], ["G", 0], ["X", 0], ["N002", 1], ["M", 0]]);
+  assert.deepEqual([...starts], [source.indexOf("N001"), source.indexOf("N002")]);
+  assert.deepEqual(Array.from(kinds, (kind) => nctape.spanKinds()[kind - 1] ?? null), ["rapid", null]);
+  assert.equal(tape.syntax(0, source.length, 1).starts.length, 1, "no more than were asked for");
+});

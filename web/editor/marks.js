@@ -5,7 +5,8 @@ import { timed } from '../timing.js';
 import { BlockMarker } from './gutter.js';
 
 /** @typedef {import('nctape').Diagnostic} Diagnostic */
-/** @typedef {import('../questions.js').ListedBlock} ListedBlock */
+/** @typedef {import('../questions.js').Listing} Listing */
+/** @typedef {import('nctape').Syntax} Syntax */
 /** @typedef {import('@codemirror/state').Text} Text */
 /** @typedef {import('@codemirror/state').ChangeDesc} ChangeDesc */
 
@@ -16,7 +17,6 @@ import { BlockMarker } from './gutter.js';
  * @property {Diagnostic[]} diagnostics
  */
 
-/** @typedef {{ blocks: ListedBlock[], diagnostics: Diagnostic[] }} Listing */
 /** @typedef {(from: number, to: number) => Promise<Listing | undefined>} AskListing */
 
 /** @type {import('@codemirror/state').StateEffectType<Marks>} */
@@ -71,7 +71,10 @@ export function liveMarks(ask, kinds) {
       const doc = view.state.doc;
       const listing = await ask(from, to);
       if (listing === undefined || view.state.doc !== doc) return;
-      timed('nctape.marks', () => view.dispatch({ effects: setMarks.of(marksFor(listing, doc, kinds)) }));
+      timed('nctape.marks', () => {
+        const marks = marksFor(listing, doc, kinds);
+        if (!isSame(view.state.field(marksField), marks)) view.dispatch({ effects: setMarks.of(marks) });
+      });
     };
     return {
       refresh,
@@ -88,34 +91,34 @@ export function liveMarks(ask, kinds) {
 }
 
 /**
+ * The marks that moved with the text are still true: the editor has nothing to lay out.
+ * @param {Marks} shown
+ * @param {Marks} marks
+ */
+const isSame = (shown, marks) =>
+  RangeSet.eq([shown.decorations], [marks.decorations]) &&
+  RangeSet.eq([shown.gutter], [marks.gutter]) &&
+  JSON.stringify(shown.diagnostics) === JSON.stringify(marks.diagnostics);
+
+/**
  * @param {Listing} listing
  * @param {Text} doc
  * @param {string[]} kinds
  * @returns {Marks}
  */
-function marksFor({ blocks, diagnostics }, doc, kinds) {
+function marksFor({ syntax, diagnostics }, doc, kinds) {
   return {
-    decorations: Decoration.set([...wordMarks(blocks, doc), ...squiggles(diagnostics, doc)], true),
-    gutter: RangeSet.of(gutterMarks(blocks, diagnostics, doc, kinds), true),
+    decorations: Decoration.set([...wordMarks(syntax), ...squiggles(diagnostics, doc)], true),
+    gutter: RangeSet.of(gutterMarks(syntax, diagnostics, doc, kinds), true),
     diagnostics,
   };
 }
 
-const addressMark = Decoration.mark({ class: 'cm-address' });
-const sequenceMark = Decoration.mark({ class: 'cm-sequence' });
+const roleMarks = [Decoration.mark({ class: 'cm-address' }), Decoration.mark({ class: 'cm-sequence' })];
 
-/**
- * @param {ListedBlock[]} blocks
- * @param {Text} doc
- */
-function* wordMarks(blocks, doc) {
-  for (const { sequence, words } of blocks) {
-    for (const { from, to, address } of words) {
-      if (to > doc.length || to <= from) continue;
-      if (sequence !== null && doc.sliceString(from, to) === sequence) yield sequenceMark.range(from, to);
-      else if (address.length > 0) yield addressMark.range(from, Math.min(from + address.length, to));
-    }
-  }
+/** @param {Syntax} syntax */
+function* wordMarks({ ranges, roles }) {
+  for (let i = 0; i < roles.length; i += 1) yield roleMarks[roles[i]].range(ranges[2 * i], ranges[2 * i + 1]);
 }
 
 /** @type {Record<string, Decoration>} */
@@ -153,12 +156,12 @@ const BADNESS = { error: 3, warning: 2, info: 1 };
 
 /**
  * One marker for each line that begins a block or holds the start of a problem.
- * @param {ListedBlock[]} blocks
+ * @param {Syntax} syntax
  * @param {Diagnostic[]} diagnostics
  * @param {Text} doc
  * @param {string[]} kinds
  */
-function gutterMarks(blocks, diagnostics, doc, kinds) {
+function gutterMarks({ starts, kinds: kindOf }, diagnostics, doc, kinds) {
   /** @type {Map<number, { kind: string | null, worst: Diagnostic['severity'] | null }>} */
   const lines = new Map();
   /** @param {number} offset */
@@ -168,9 +171,9 @@ function gutterMarks(blocks, diagnostics, doc, kinds) {
     lines.set(from, known);
     return known;
   };
-  for (const block of blocks) {
-    if (block.kind > 0 && block.from <= doc.length) lineFor(block.from).kind = kinds[block.kind - 1] ?? null;
-  }
+  starts.forEach((start, i) => {
+    if (kindOf[i] > 0) lineFor(start).kind = kinds[kindOf[i] - 1] ?? null;
+  });
   for (const { from, severity } of diagnostics) {
     const line = lineFor(from);
     if (line.worst === null || BADNESS[severity] > BADNESS[line.worst]) line.worst = severity;

@@ -3,22 +3,21 @@ import { AXES } from './view.js';
 
 /** @typedef {import('./view.js').Box} Box */
 
-/** Lines, dots and their smoothing reach so far beyond a point. */
-const REACH = 6;
+/** Lines, dots, the cross at the start and their smoothing reach so far beyond a point. */
+export const REACH = 12;
 
 /**
- * A box with some points of a path in it.
- * @param {Box | null} box
+ * The box around some points of a path; null without a point.
  * @param {import('./view.js').View} view
  * @param {Float64Array} xyz
  * @param {number} from  first point
  * @param {number} to  behind the last point
  * @returns {Box | null}
  */
-export function boxAround(box, view, xyz, from, to) {
-  if (from >= to) return box;
+export function boxAround(view, xyz, from, to) {
+  if (from >= to) return null;
   const [across, up] = AXES[view.plane];
-  let { left, top, right, bottom } = box ?? { left: Infinity, top: Infinity, right: -Infinity, bottom: -Infinity };
+  let [left, top, right, bottom] = [Infinity, Infinity, -Infinity, -Infinity];
   for (let i = from; i < to; i += 1) {
     const [x, y] = view.at(xyz[3 * i + across], xyz[3 * i + up]);
     left = Math.min(left, x - REACH);

@@ -1,15 +1,29 @@
 // The whole path in the colours of its kinds, thinned to what a pixel can show.
 import { firstAtOrAfter } from '../sorted.js';
+import { CHUNK, chunksOf } from './chunks.js';
+import { REACH } from './dirty.js';
 import { Pen } from './pen.js';
 import { AXES } from './view.js';
 
 /** @typedef {import('nctape').Path} Path */
 /** @typedef {import('./view.js').View} View */
 
-/** Beyond so many spans the marks at their ends are left out. */
-const MOST_MARKS = 2500;
-/** Beyond so many points lines are one pixel wide, which is drawn many times faster. */
-const MOST_WIDE = 20_000;
+/**
+ * Beyond so many points in the picture lines are one pixel wide and the ends of spans have no dots: each would cost five
+ * times as much (see pen.js), where no eye tells them apart.
+ */
+const MOST_WIDE = 800;
+
+/**
+ * So many points are in the picture that it is drawn finely.
+ * @param {View} view
+ * @param {Path} path
+ */
+export function isDense(view, path) {
+  let seen = 0;
+  for (const [from, to] of runsIn(view, path, 0, path.span.length, view.box())) seen += to - from;
+  return seen > MOST_WIDE;
+}
 
 /**
  * @param {CanvasRenderingContext2D} context
@@ -17,40 +31,76 @@ const MOST_WIDE = 20_000;
  * @param {Path} path
  * @param {(span: number) => string} kindOf
  * @param {Record<string, string>} colours
- * @param {[number, number]} [points]  only these, the first one of a span and behind the last one of another
- * @param {import("./view.js").Box} [box]  only what lies in this part of the picture
+ * @param {object} [part]
+ * @param {boolean} [part.dense]  finely, see `isDense`
+ * @param {[number, number]} [part.points]  only these, the first one of a span and behind the last one of another
+ * @param {import("./view.js").Box} [part.box]  only what lies in this part of the picture
  */
-export function drawPath(context, view, path, kindOf, colours, [from, to] = [0, path.span.length], box = view.box()) {
+export function drawPath(context, view, path, kindOf, colours, { dense = false, points, box = view.box() } = {}) {
+  const [from, to] = points ?? [0, path.span.length];
   const { xyz, span, kinds, substitutes } = path;
   const [across, up] = AXES[view.plane];
-  const isDense = span.length > MOST_WIDE;
+  const { scale } = view;
+  const [left, top] = view.at(0, 0);
   context.lineJoin = 'bevel';
   context.lineCap = 'butt';
   const pen = new Pen(context, box);
   let style = -1;
-  for (let i = from; i < to; i += 1) {
-    const [x, y] = view.at(xyz[3 * i + across], xyz[3 * i + up]);
-    const index = span[i];
-    if (i > from && index === span[i - 1]) {
-      pen.lineTo(x, y);
-      continue;
-    }
-    const next = 2 * kinds[index] + substitutes[index];
-    if (next !== style) {
-      pen.end();
-      strokeStyle(context, kindOf(index), substitutes[index] === 1, colours);
-      if (isDense) context.lineWidth = 1;
-      style = next;
-      pen.moveTo(x, y);
-    } else if (i > from && isSamePoint(xyz, i)) {
-      pen.lineTo(x, y);
-    } else {
-      pen.moveTo(x, y);
+  let dashed = false;
+  for (const [first, end] of runsIn(view, path, from, to, box)) {
+    style = -1;
+    for (let i = first; i < end; i += 1) {
+      const x = left + xyz[3 * i + across] * scale;
+      const y = top - xyz[3 * i + up] * scale;
+      const index = span[i];
+      if (i > first && index === span[i - 1]) {
+        pen.lineTo(x, y);
+        continue;
+      }
+      const next = 2 * kinds[index] + substitutes[index];
+      if (next !== style) {
+        pen.end();
+        const kind = kindOf(index);
+        strokeStyle(context, kind, substitutes[index] === 1, colours);
+        dashed = kind === 'rapid' || substitutes[index] === 1;
+        if (dense) context.lineWidth = 1;
+        style = next;
+        pen.moveTo(x, y);
+      } else if (!dashed && i > first && isSamePoint(xyz, i)) {
+        pen.lineTo(x, y);
+      } else {
+        // Dashes begin anew with each span, so that they lie alike in whatever part of the picture is drawn.
+        pen.moveTo(x, y);
+      }
     }
   }
   pen.end();
   context.setLineDash([]);
-  if (kinds.length <= MOST_MARKS) drawEnds(context, view, path, colours, from, to);
+  if (!dense) drawEnds(context, view, path, colours, from, to, box);
+}
+
+/**
+ * The points that may show in a part of the picture, in runs.
+ * @param {View} view
+ * @param {Path} path
+ * @param {number} from
+ * @param {number} to
+ * @param {import("./view.js").Box} box
+ */
+function* runsIn(view, path, from, to, box) {
+  const chunks = chunksOf(path);
+  const axes = AXES[view.plane];
+  const [left, top] = view.toWorld(box.left - REACH, box.top - REACH);
+  const [right, bottom] = view.toWorld(box.right + REACH, box.bottom + REACH);
+  let first = from;
+  for (let chunk = Math.floor(from / CHUNK); chunk * CHUNK < to; chunk += 1) {
+    if (!chunks.isOff(chunk, axes, [left, right, bottom, top])) continue;
+    // Up to the point before the run, whose way to it is the run's own.
+    const end = Math.max(from, chunk * CHUNK);
+    if (first < end) yield [first, end];
+    first = Math.max(first, Math.min(to, (chunk + 1) * CHUNK));
+  }
+  if (first < to) yield [first, to];
 }
 
 /**
@@ -69,13 +119,16 @@ const isSamePoint = (xyz, i) =>
  * @param {Record<string, string>} colours
  * @param {number} from
  * @param {number} to
+ * @param {import("./view.js").Box} box
  */
-function drawEnds(context, view, { xyz, span }, colours, from, to) {
+function drawEnds(context, view, { xyz, span }, colours, from, to, box) {
+  const [across, up] = AXES[view.plane];
   context.fillStyle = colours.text;
   context.beginPath();
   for (let i = from; i < to; i += 1) {
     if (i + 1 < to && span[i + 1] === span[i]) continue;
-    const [x, y] = view.toScreen(xyz.subarray(3 * i, 3 * i + 3));
+    const [x, y] = view.at(xyz[3 * i + across], xyz[3 * i + up]);
+    if (x < box.left - REACH || x > box.right + REACH || y < box.top - REACH || y > box.bottom + REACH) continue;
     context.moveTo(x + 2, y);
     context.arc(x, y, 2, 0, 2 * Math.PI);
   }

@@ -1,9 +1,9 @@
 // Draws one long line quickly: leaves out what no pixel can show, and strokes it in pieces.
 //
-// Measured on a canvas without a graphics card, 100 000 segments: as one path 630 ms; in pieces of a thousand 160 ms;
-// in pieces and one pixel wide 29 ms.
+// Measured on a canvas without a graphics card, a thousand segments that cross one another: as one path two pixels wide
+// 104 ms, in pieces of 16 to 64 some 17 ms; one pixel wide 1.6 ms. Where they do not cross, 5.5 ms and 0.9 ms.
 
-const PIECE = 1000;
+const PIECE = 32;
 /** Pixels that a point must be away from the last one. */
 const LEAST = 0.7;
 

@@ -1,15 +1,15 @@
 // The path of the tool, in one plane.
 import { button, byId, el, onceAFrame } from '../dom.js';
-import { palette } from '../palette.js';
+import { mono, palette } from '../palette.js';
 import { firstAtOrAfter } from '../sorted.js';
 import { drawBehind, drawTool, TO_COME, Travelled } from '../replay/tool.js';
 import { timed } from '../timing.js';
 import { drawConstruction } from './construction.js';
-import { drawLit, drawPath, drawStart } from './draw.js';
+import { drawLit } from './draw.js';
 import { drawGrid } from './grid.js';
-import { boxAround, seen } from './dirty.js';
 import { spanAt } from './hit.js';
 import { listenToPlotHand } from './input.js';
+import { KeptPicture } from './kept.js';
 import { patched } from './patch.js';
 import { AXES, isAnotherSize, isSeen, PLANES, View } from './view.js';
 import { placeLine, spanCaption, spanLine, spanRows } from './words.js';
@@ -32,20 +32,15 @@ export function makePlot({ store, engine, kinds, onBlock }) {
   const canvas = byId('plot-canvas', HTMLCanvasElement);
   const host = byId('plot', HTMLElement);
   const context = /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d'));
-  // The grid and the whole path, kept until one of them or the view changes.
-  const base = document.createElement('canvas');
-  const baseContext = /** @type {CanvasRenderingContext2D} */ (base.getContext('2d'));
 
   const view = new View();
+  const kept = new KeptPicture(view);
   /** @type {Path | null} */
   let path = null;
   /** The tolerance of `path`, in lengths. */
   let tolerance = Infinity;
   /** By which its change is asked for. */
   let pathNumber = 0;
-  /** What of the kept picture a change of the path has made untrue. @type {import('./view.js').Box | null} */
-  let dirty = null;
-  let baseIsTrue = false;
   const travelled = new Travelled();
   let fitted = false;
   /** The picture was moved by hand: it stays as it was put until the tape is another one. */
@@ -63,7 +58,7 @@ export function makePlot({ store, engine, kinds, onBlock }) {
 
   const redraw = onceAFrame(draw);
   function redrawAll() {
-    baseIsTrue = false;
+    kept.drop();
     redraw();
   }
 
@@ -74,10 +69,9 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     if (width === 0 || height === 0) return;
     view.width = width;
     view.height = height;
-    for (const surface of [canvas, base]) {
-      surface.width = Math.round(width * ratio);
-      surface.height = Math.round(height * ratio);
-    }
+    canvas.width = Math.round(width * ratio);
+    canvas.height = Math.round(height * ratio);
+    kept.measure(ratio);
     if (!fitted) fit();
     redrawAll();
   }
@@ -117,14 +111,16 @@ export function makePlot({ store, engine, kinds, onBlock }) {
    * @param {import('nctape').PathChange} change
    */
   function take(change) {
-    const { first, last, kinds, span } = change;
-    const from = path === null ? 0 : firstAtOrAfter(path.span, first);
-    if (path === null || (first === 0 && last === 0) || !baseIsTrue) baseIsTrue = false;
-    else dirty = boxAround(dirty, view, path.xyz, from, firstAtOrAfter(path.span, path.kinds.length - last));
-    // The dots at the ends come and go with the count of spans.
-    if (path !== null && path.kinds.length !== first + kinds.length + last) baseIsTrue = false;
+    const { first, last, span } = change;
+    if (path === null || (first === 0 && last === 0)) {
+      path = patched(path, change);
+      kept.drop();
+      return;
+    }
+    const from = firstAtOrAfter(path.span, first);
+    kept.touch(path.xyz, from, firstAtOrAfter(path.span, path.kinds.length - last));
     path = patched(path, change);
-    if (baseIsTrue) dirty = boxAround(dirty, view, path.xyz, from, from + span.length);
+    kept.touch(path.xyz, from, from + span.length);
   }
 
   /** Shows the path of a changed tape, in the same moment fitted anew where that is due. */
@@ -137,7 +133,7 @@ export function makePlot({ store, engine, kinds, onBlock }) {
       if (anew !== null && view.width > 1) {
         Object.assign(view, anew);
         fitted = true;
-        baseIsTrue = false;
+        kept.drop();
       }
     }
     stale = false;
@@ -153,33 +149,22 @@ export function makePlot({ store, engine, kinds, onBlock }) {
   function drawAll(summary) {
     const { here, pointed, theme, moment, held } = store.state;
     const colours = palette(theme);
-    const font = getComputedStyle(document.documentElement).getPropertyValue('--mono');
-    const part = baseIsTrue ? dirty && seen(dirty, view, ratio) : view.box();
-    dirty = null;
-    if (part !== null) {
-      baseContext.setTransform(ratio, 0, 0, ratio, 0, 0);
-      baseContext.save();
-      baseContext.beginPath();
-      baseContext.rect(part.left, part.top, part.right - part.left, part.bottom - part.top);
-      baseContext.clip();
-      baseContext.fillStyle = colours.sheet;
-      baseContext.fillRect(0, 0, view.width, view.height);
-      drawGrid(baseContext, view, colours, { axes: summary.axes, unit: summary.unit === 'mm' ? 'mm' : 'in', font });
-      if (moment?.led) baseContext.globalAlpha = TO_COME;
-      if (path !== null) drawPath(baseContext, view, path, kindOf, colours, undefined, part);
-      baseContext.globalAlpha = 1;
-      if (path !== null && path.xyz.length > 0) drawStart(baseContext, view, path.xyz.subarray(0, 3), colours);
-      baseContext.restore();
-      baseIsTrue = true;
-    }
+    const font = mono();
+    kept.draw(path, kindOf, colours);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.fillStyle = colours.sheet;
+    context.fillRect(0, 0, view.width, view.height);
+    drawGrid(context, view, colours, { axes: summary.axes, unit: summary.unit === 'mm' ? 'mm' : 'in', font });
     context.setTransform(1, 0, 0, 1, 0, 0);
-    context.drawImage(base, 0, 0);
+    context.globalAlpha = moment?.led ? TO_COME : 1;
+    context.drawImage(kept.canvas, 0, 0);
+    context.globalAlpha = 1;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     if (path === null) return;
     const tool = moment !== null && moment.span >= 0 && moment.span < path.kinds.length ? moment : null;
     if (tool?.led) {
       const behind = tool.span + (tool.along === 1 ? 1 : 0);
-      travelled.draw({ view, ratio, path, kindOf, colours, theme }, behind);
+      travelled.draw({ view, ratio, path, kindOf, colours, theme, dense: kept.dense }, behind);
       context.setTransform(1, 0, 0, 1, 0, 0);
       if (behind > 0) context.drawImage(travelled.canvas, 0, 0);
       context.setTransform(ratio, 0, 0, ratio, 0, 0);
@@ -246,11 +231,14 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     void refine();
   }
 
+  let rest = [0, 0];
   listenToPlotHand(canvas, {
     pan(x, y) {
       held = true;
-      view.panBy(x, y);
-      redrawAll();
+      // What is less than a pixel of the screen goes with the next movement.
+      const [right, down] = kept.panBy(x + rest[0], y + rest[1]);
+      rest = [x + rest[0] - right, y + rest[1] - down];
+      redraw();
     },
     zoom,
     fit,
@@ -335,14 +323,7 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     void tellPointed();
     redraw();
   });
-  let dimmed = false;
-  store.on(['moment'], ({ moment }) => {
-    const led = moment?.led === true;
-    if (led !== dimmed) baseIsTrue = false;
-    dimmed = led;
-    redraw();
-  });
-  store.on(['held'], redraw);
+  store.on(['moment', 'held'], redraw);
   store.on(['theme'], redrawAll);
   namePlanes();
   new ResizeObserver(measure).observe(host);

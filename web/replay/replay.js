@@ -20,8 +20,7 @@ import { Track } from './track.js';
  * @property {boolean} running  it moves now: the tape follows at once
  */
 
-/** Beyond so many blocks the course of a changed tape is asked for when the typing pauses. */
-const MANY_BLOCKS = 3000;
+/** The course and the registers of a changed tape are asked for when the typing pauses for so many milliseconds. */
 const PAUSE = 300;
 /** Where nothing may move by itself, each block is seen for so many milliseconds at least. */
 const SEEN = 400;
@@ -68,7 +67,9 @@ export function makeReplay({ store, engine, onPlace }) {
     if (asking) return;
     asking = true;
     let known = stretches.block(at.block);
-    while (known === null && (await stretches.fetch(at.block))) known = stretches.block(at.block);
+    while (known === null && (await (led ? stretches.fetch(at.block) : stretches.fetchSingle(at.block)))) {
+      known = stretches.block(at.block);
+    }
     asking = false;
     if (known === null || stale || track === null) return;
     if (led) place(track, known);
@@ -117,9 +118,16 @@ export function makeReplay({ store, engine, onPlace }) {
     }, Math.max(SEEN, Math.min(seconds * 1000, 2 ** 31 - 1)));
   }
 
-  function play() {
-    if (track === null || stale || track.blocks === 0 || store.state.playing) return;
-    at = track.begin(at);
+  /** The course as it is now, asked for at once where the typing has not paused yet; null without a block. */
+  async function courseNow() {
+    if (stale) await refresh();
+    return stale || track === null || track.blocks === 0 ? null : track;
+  }
+
+  async function play() {
+    const course = await courseNow();
+    if (course === null || store.state.playing) return;
+    at = course.begin(at);
     led = true;
     store.set({ playing: true, halted: null });
     if (lessMotion()) hop();
@@ -153,10 +161,11 @@ export function makeReplay({ store, engine, onPlace }) {
    * @param {(track: Track) => At} where
    * @param {boolean} [running]  the hand goes on
    */
-  function go(where, running = false) {
-    if (track === null || stale || track.blocks === 0) return;
+  async function go(where, running = false) {
+    const course = await courseNow();
+    if (course === null) return;
     if (store.state.playing) rest();
-    at = where(track);
+    at = where(course);
     led = true;
     store.set({ halted: null });
     show(running);
@@ -201,8 +210,8 @@ export function makeReplay({ store, engine, onPlace }) {
     if (store.state.playing) rest();
     stale = true;
     stretches.expire();
-    if (summary !== null && summary.blocks > MANY_BLOCKS) refreshLater();
-    else void refresh();
+    if (store.state.whole) void refresh();
+    else refreshLater();
   });
   store.on(['here'], ({ here }) => {
     if (here !== null && here !== mine) takeOver(here);
@@ -212,7 +221,7 @@ export function makeReplay({ store, engine, onPlace }) {
     handOver,
     play,
     pause,
-    toggle: () => (store.state.playing ? pause() : play()),
+    toggle: () => (store.state.playing ? pause() : void play()),
     /** @param {1 | -1} way */
     byBlock: (way) => go((track) => track.byBlock(at, way)),
     /** @param {1 | -1} way */

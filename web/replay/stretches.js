@@ -1,4 +1,5 @@
-// Blocks with their registers, fetched by the stretch and kept while they are true: a replay asks once for many blocks.
+// Blocks with their registers, kept while they are true. A replay asks once for many of them; the hand on the program
+// needs only the one that it is on.
 
 /** @typedef {import('./stretch.js').Stretch} Stretch */
 
@@ -13,6 +14,8 @@ export class Stretches {
     this.kept = new Map();
     /** @type {Map<number, Promise<boolean>>} */
     this.asked = new Map();
+    /** The block that was fetched by itself. @type {Stretch | null} */
+    this.single = null;
     this.generation = 0;
   }
 
@@ -21,6 +24,7 @@ export class Stretches {
     this.generation += 1;
     this.kept.clear();
     this.asked.clear();
+    this.single = null;
   }
 
   /**
@@ -28,9 +32,9 @@ export class Stretches {
    * @param {number} block
    */
   block(block) {
-    const stretch = this.kept.get(Math.floor(block / STRETCH));
+    const stretch = this.kept.get(Math.floor(block / STRETCH)) ?? this.single;
     const one = stretch?.blocks[block - stretch.first];
-    if (stretch === undefined || one === undefined) return null;
+    if (!stretch || one === undefined) return null;
     return { ...one, held: stretch.held[block - stretch.first], stretch };
   }
 
@@ -48,6 +52,18 @@ export class Stretches {
       this.asked.set(index, asked);
     }
     return asked;
+  }
+
+  /**
+   * Fetches one block; false where the tape has changed meanwhile.
+   * @param {number} block
+   */
+  async fetchSingle(block) {
+    const { generation } = this;
+    const stretch = await this.ask(block, 1);
+    if (generation !== this.generation || stretch === undefined) return false;
+    this.single = stretch;
+    return true;
   }
 
   /**

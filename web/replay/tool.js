@@ -29,11 +29,12 @@ export class Travelled {
    * @param {(span: number) => string} picture.kindOf
    * @param {Record<string, string>} picture.colours
    * @param {string} picture.theme
+   * @param {boolean} picture.dense
    * @param {number} count  of the spans behind the tool
    */
-  draw({ view, ratio, path, kindOf, colours, theme }, count) {
+  draw({ view, ratio, path, kindOf, colours, theme, dense }, count) {
     const { canvas, context } = this;
-    const key = [view.plane, view.scale, ...view.middle, view.width, view.height, ratio, theme].join(' ');
+    const key = [view.plane, view.scale, ...view.middle, view.width, view.height, ratio, theme, dense].join(' ');
     if (key !== this.key || path !== this.path || count < this.count) {
       canvas.width = Math.round(view.width * ratio);
       canvas.height = Math.round(view.height * ratio);
@@ -45,7 +46,7 @@ export class Travelled {
     const from = pointsOf(path, this.count)[0];
     const to = count >= path.kinds.length ? path.span.length : pointsOf(path, count)[0];
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    drawPath(context, view, path, kindOf, colours, [from, to]);
+    drawPath(context, view, path, kindOf, colours, { dense, points: [from, to] });
     this.count = count;
   }
 }

@@ -11,6 +11,7 @@ import { putColumn } from './sheet.js';
  * @property {string[]} kinds
  * @property {Record<string, string>} colours
  * @property {string} font
+ * @property {import('./glyphs.js').Glyphs} glyphs
  * @property {number} rows
  * @property {Uint8Array} leader  rows of letters right before the first row
  * @property {number} position  row at the reader head, with its fraction
@@ -128,7 +129,7 @@ function drawRow(context, frame, row) {
 }
 
 /**
- * The character under its row; the name of one that is not printed stands upright.
+ * The character under its row.
  * @param {CanvasRenderingContext2D} context
  * @param {Frame} frame
  * @param {string} label
@@ -136,24 +137,9 @@ function drawRow(context, frame, row) {
  * @param {string} colour
  * @param {number} weight
  */
-function drawCharacter(context, { sheet, top, font, ratio }, label, x, colour, weight) {
-  if (label === '') return;
-  const { pitch, columnHeight } = sheet;
-  const y = top + columnHeight + Math.round(ratio * 5);
-  context.fillStyle = colour;
-  context.textBaseline = 'middle';
-  context.textAlign = 'center';
-  if (label.length === 1) {
-    context.font = `${weight} ${12 * ratio}px ${font}`;
-    context.fillText(label, x + pitch / 2, y);
-    return;
-  }
-  context.font = `${weight} ${Math.min(8 * ratio, (20 * ratio) / (0.61 * label.length))}px ${font}`;
-  context.save();
-  context.translate(x + pitch / 2, y);
-  context.rotate(-Math.PI / 2);
-  context.fillText(label, 0, 0);
-  context.restore();
+function drawCharacter(context, { sheet, top, font, ratio, glyphs }, label, x, colour, weight) {
+  const y = top + sheet.columnHeight + Math.round(ratio * 5);
+  glyphs.put(context, { pitch: sheet.pitch, ratio, font }, label, x, y, colour, weight);
 }
 
 /**

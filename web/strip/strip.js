@@ -1,9 +1,10 @@
 // The tape under the reader head.
 import { byId, lessMotion, onceAFrame } from '../dom.js';
-import { palette } from '../palette.js';
+import { mono, palette } from '../palette.js';
 import { timed } from '../timing.js';
 import { listed, whole } from '../words.js';
 import { drawStrip, stripHeight } from './draw.js';
+import { Glyphs } from './glyphs.js';
 import { listenToHand } from './input.js';
 import { makeRowCard } from './row-card.js';
 import { SheetSource } from './sheet.js';
@@ -45,6 +46,7 @@ export function makeStrip({ store, engine, kinds, onRow }) {
   /** CSS pixels of a row. */
   let pitch = 14;
 
+  const glyphs = new Glyphs();
   const redraw = onceAFrame(draw);
   const windows = new Windows((first, count) => engine.ask('strip', first, count), () => {
     tellRow();
@@ -87,7 +89,8 @@ export function makeStrip({ store, engine, kinds, onRow }) {
       meanings,
       kinds,
       colours: palette(store.state.theme),
-      font: getComputedStyle(document.documentElement).getPropertyValue('--mono'),
+      font: mono(),
+      glyphs,
       rows: rows(),
       leader: store.state.leader,
       position,

@@ -166,6 +166,43 @@ impl Tape {
         })
     }
 
+    /// What the blocks that touch a stretch of text are made of, for whoever colours it: at most `limit` blocks.
+    #[wasm_bindgen(unchecked_return_type = "Syntax")]
+    pub fn syntax(&self, from: u32, to: u32, limit: u32) -> JsValue {
+        let reading = self.tape.reading();
+        let ((from, _), (to, _)) = (self.offsets.byte(from as usize), self.offsets.byte(to as usize));
+        let first = reading.blocks.partition_point(|block| block.range.end < from);
+        let touched =
+            || reading.blocks[first..].iter().take(limit as usize).take_while(|block| block.range.start <= to);
+        let unit = |byte: usize| self.offsets.utf16(byte) as u32;
+        let starts: Vec<u32> = touched().map(|block| unit(block.range.start)).collect();
+        let kinds: Vec<u8> = (first..first + starts.len()).map(|block| self.kind_of(block)).collect();
+        let (mut ranges, mut roles) = (Vec::new(), Vec::new());
+        for block in touched() {
+            for (place, word) in reading.words(block).iter().take(limit as usize).enumerate() {
+                let range = reading.range(block, word);
+                let is_sequence = place == 0 && word.is_sequence();
+                let address = usize::from(word.address != 0 && !word.by_column);
+                let end = if is_sequence { range.end } else { range.start + address };
+                if end > range.start {
+                    ranges.extend([unit(range.start), unit(end)]);
+                    roles.push(u8::from(is_sequence));
+                }
+            }
+        }
+        let object = js_sys::Object::new();
+        set(&object, "starts", &js_sys::Uint32Array::from(starts.as_slice()));
+        set(&object, "kinds", &js_sys::Uint8Array::from(kinds.as_slice()));
+        set(&object, "ranges", &js_sys::Uint32Array::from(ranges.as_slice()));
+        set(&object, "roles", &js_sys::Uint8Array::from(roles.as_slice()));
+        object.into()
+    }
+
+    /// The kind of a block's span: 0 none, else its place among all kinds plus 1.
+    fn kind_of(&self, block: usize) -> u8 {
+        self.span_of(block).map_or(0, |span| self.tape.spans().list[span].kind.index() as u8 + 1)
+    }
+
     /// The span that a block belongs to. Where it ends one and stands in for another, the one that begins last.
     fn span_of(&self, block: usize) -> Option<usize> {
         let spans = self.tape.spans().of_block(block);
@@ -199,13 +236,8 @@ impl Tape {
         let rows = self.tape.rows_from(from, count as usize);
         let offsets: Vec<u32> = rows.offsets.iter().map(|&byte| self.offsets.utf16(byte as usize) as u32).collect();
         let blocks: Vec<i32> = (from..from + rows.bytes.len()).map(|row| self.block_of_row(row as u32)).collect();
-        let kinds: Vec<u8> = blocks
-            .iter()
-            .map(|&block| {
-                let span = usize::try_from(block).ok().and_then(|block| self.span_of(block));
-                span.map_or(0, |span| self.tape.spans().list[span].kind.index() as u8 + 1)
-            })
-            .collect();
+        let kinds: Vec<u8> =
+            blocks.iter().map(|&block| usize::try_from(block).map_or(0, |block| self.kind_of(block))).collect();
         let object = js_sys::Object::new();
         set(&object, "first", &(from as u32).into());
         set(&object, "bytes", &js_sys::Uint8Array::from(rows.bytes.as_slice()));

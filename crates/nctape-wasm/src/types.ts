@@ -294,6 +294,18 @@ export interface RowWindow {
   kinds: Uint8Array;
 }
 
+/** What the blocks of a stretch of text are made of. */
+export interface Syntax {
+  /** UTF-16 offset of each block. */
+  starts: Uint32Array;
+  /** Kind of each block's span: 0 none, else an index into `spanKinds()` plus 1. */
+  kinds: Uint8Array;
+  /** Start and end of each address, and of each sequence number as a whole. */
+  ranges: Uint32Array;
+  /** For each of these: 0 an address, 1 a sequence number. */
+  roles: Uint8Array;
+}
+
 /** The flattened path. Every span gives its start, then its points; a point's span is in `span`. */
 export interface Points { xyz: Float64Array; span: Uint32Array }
 
