@@ -35,6 +35,8 @@ pub mod read;
 
 pub mod function;
 
+pub mod speed;
+
 mod execute;
 
 pub mod span;

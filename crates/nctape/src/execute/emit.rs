@@ -48,11 +48,10 @@ impl State<'_> {
         if kind == SpanKind::Parabola && matches!(self.feed, Feed::Reciprocal(_)) {
             self.events.push(Event { block: blocks.0, kind: EventKind::ReciprocalParabola });
         }
-        let minutes = if kind == SpanKind::Rapid {
-            self.control.format.itemized.rapid.map(|rapid| length / rapid.0)
-        } else {
-            self.minutes(length, sweep)
-        };
+        // The highest code of a feed is rapid traverse, as G00 is (annex A). A thread runs by its lead.
+        let straight = kind == SpanKind::Line && self.motion != Some(Motion::Line { thread: true });
+        let kind = if straight && self.feed == Feed::Rapid { SpanKind::Rapid } else { kind };
+        let minutes = if kind == SpanKind::Rapid { self.rapid(length) } else { self.minutes(length, sweep) };
         let minutes = minutes.filter(|minutes| minutes.is_finite() && *minutes > 0.0);
         let feed = minutes.map(|minutes| length / minutes).filter(|feed| feed.is_finite());
         let seconds = minutes.map(|minutes| minutes * 60.0).filter(|seconds| seconds.is_finite());
@@ -112,6 +111,7 @@ impl State<'_> {
                 }
                 Some(if self.control.arc_feed == ArcFeed::Time { by_time } else { by_radians })
             }
+            Feed::Rapid => self.rapid(length),
             Feed::Unknown => None,
             Feed::PerMinute(_) | Feed::PerRevolution(_) if self.is_geometric() => {
                 self.note(EventKind::StopFeed);
@@ -122,6 +122,11 @@ impl State<'_> {
                 None
             }
         }
+    }
+
+    /// Minutes at rapid traverse.
+    fn rapid(&self, length: f64) -> Option<f64> {
+        self.control.format.itemized.rapid.map(|rapid| length / rapid.0)
     }
 
     /// The length of a straight move: along X, Y and Z, or along the other axes where those stand still.

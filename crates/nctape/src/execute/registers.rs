@@ -157,6 +157,7 @@ impl Tape {
         let per_minute = match state.feed {
             Feed::PerMinute(feed) => finite(feed),
             Feed::PerRevolution(feed) => state.speed.and_then(|speed| finite(feed * speed)),
+            Feed::Rapid => control.format.itemized.rapid.map(|rapid| rapid.0),
             Feed::None | Feed::Reciprocal(_) | Feed::Unknown => None,
         };
         // A point of a span that is not complete yet is held, but the tool has not gone there.

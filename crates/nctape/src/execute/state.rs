@@ -293,8 +293,9 @@ impl<'a> State<'a> {
 
     pub(crate) fn take_feed(&mut self, place: usize, word: &Word) {
         self.own_feed = true;
-        self.feed = feed::read_feed(word, self.control, self.coding, self.unit);
-        self.note_code(place, feed::feed_fault(word, self.control, self.coding));
+        let (feed, fault) = feed::read_feed(word, self.control, self.coding, self.unit);
+        self.feed = feed;
+        self.note_code(place, fault);
         if let Feed::PerMinute(feed) = self.feed {
             self.note_speed(Some(place), feed);
         }
@@ -302,8 +303,9 @@ impl<'a> State<'a> {
 
     pub(crate) fn take_speed(&mut self, place: usize, word: &Word) {
         self.any_speed = true;
-        self.speed = feed::read_speed(word, self.control).filter(|_| !self.cutting_speed);
-        self.note_code(place, feed::speed_fault(word, self.control));
+        let (speed, fault) = feed::read_speed(word, self.control);
+        self.speed = speed.filter(|_| !self.cutting_speed);
+        self.note_code(place, fault);
     }
 
     /// Notes where the spindle is started without a speed, on a control whose format has a word for it.

@@ -2,9 +2,10 @@
 
 use super::{
     Angles, ArcCentre, ArcFeed, ArcParameters, Classification, Designation, Detail, Dimensions, FeedCoding, FeedUnit,
-    Format, ParabolaParameters, Plane, SetPoint, Sign, SpindleCoding, Standard, System, Unit,
+    Format, ParabolaParameters, Plane, SetPoint, Sign, Standard, System, Unit,
 };
 use crate::code::{Code, EndOfBlock};
+use crate::speed::method_of_digits;
 
 /// An axis of the report: X, Y and Z first, then the other dimension words of the detail.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -52,8 +53,8 @@ pub struct Control {
     pub helix: bool,
     /// Coding of F.
     pub feed: FeedCoding,
-    /// Coding of S.
-    pub spindle: SpindleCoding,
+    /// Coding of S; never the reciprocal of time.
+    pub spindle: FeedCoding,
     /// What the feed is counted against.
     pub feed_unit: FeedUnit,
     /// Time-reciprocal feed on arcs.
@@ -110,8 +111,8 @@ impl Control {
             arc_centre: stated.arc_centre.unwrap_or(ArcCentre::AsDimensions),
             parabola_parameters: stated.parabola_parameters.unwrap_or(ParabolaParameters::Tangent),
             helix: stated.helix.unwrap_or(digits.is_some_and(|digits| digits[2] >= 3)),
-            feed: stated.feed.unwrap_or_else(|| default_feed(standard, width('F'))),
-            spindle: stated.spindle.unwrap_or_else(|| default_spindle(standard, width('S'))),
+            feed: stated.feed.unwrap_or_else(|| method_of_digits(standard, width('F'))),
+            spindle: stated.spindle.map_or_else(|| method_of_digits(standard, width('S')), FeedCoding::from),
             feed_unit: stated.feed_unit.unwrap_or(FeedUnit::PerMinute),
             arc_feed: stated.arc_feed.unwrap_or(ArcFeed::Radians),
             time_scale: stated.time_scale.map_or(1.0, |scale| f64::from(scale.0)),
@@ -196,25 +197,6 @@ fn system(classification: Option<&Classification>, detail: &Detail) -> System {
 fn unit(standard: Standard, classification: Option<&Classification>) -> Unit {
     let default = if standard == Standard::Rs274 { Unit::Inch } else { Unit::Millimetre };
     classification.and_then(Classification::unit).unwrap_or(default)
-}
-
-/// ISO 1058 has three codings, told apart by their digits (annex A); ISO 2539 annex E uses the direct one.
-fn default_feed(standard: Standard, width: u8) -> FeedCoding {
-    match (standard, width) {
-        (Standard::Iso1058, 1) => FeedCoding::Symbolic,
-        (Standard::Iso1058, 2) => FeedCoding::Geometric,
-        (Standard::Iso1058, 3..=5) => FeedCoding::Arithmetic,
-        _ => FeedCoding::Direct,
-    }
-}
-
-fn default_spindle(standard: Standard, width: u8) -> SpindleCoding {
-    match (standard, width) {
-        (Standard::Iso1058, 1) => SpindleCoding::Symbolic,
-        (Standard::Iso1058, 2) => SpindleCoding::Geometric,
-        (Standard::Iso1058, 3..=5) => SpindleCoding::Arithmetic,
-        _ => SpindleCoding::Direct,
-    }
 }
 
 fn set_point(stated: Option<&SetPoint>, axes: &[Axis]) -> Vec<i64> {

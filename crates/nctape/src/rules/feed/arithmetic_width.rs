@@ -13,7 +13,8 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let Some(designation) = block.control.designation(word.address) else { return };
-    if super::coding(word.address, block.control) != Some(super::Coding::Arithmetic) || word.fault != NumberFault::None
+    if super::coding(word.address, block.control) != Some(crate::format::FeedCoding::Arithmetic)
+        || word.fault != NumberFault::None
     {
         return;
     }

@@ -13,7 +13,9 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     let Some(designation) = block.control.designation(word.address) else { return };
-    if super::coding(word.address, block.control) != Some(super::Coding::Geometric) || word.fault != NumberFault::None {
+    if super::coding(word.address, block.control) != Some(crate::format::FeedCoding::Geometric)
+        || word.fault != NumberFault::None
+    {
         return;
     }
     if word.digits == 2 {

@@ -14,20 +14,14 @@ pub(crate) mod stop_or_rapid;
 pub(crate) mod too_fast;
 pub(crate) mod unlisted_code;
 
-use crate::format::{Control, FeedCoding, SpindleCoding};
-
-/// A coding of speeds that fixes how many digits a word has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Coding {
-    Arithmetic,
-    Geometric,
-}
+use crate::format::{Control, FeedCoding};
 
 /// The coding of F or S, where it fixes how many digits the word has.
-pub(super) fn coding(address: u8, control: &Control) -> Option<Coding> {
-    match (address, control.feed, control.spindle) {
-        (b'F', FeedCoding::Arithmetic, _) | (b'S', _, SpindleCoding::Arithmetic) => Some(Coding::Arithmetic),
-        (b'F', FeedCoding::Geometric, _) | (b'S', _, SpindleCoding::Geometric) => Some(Coding::Geometric),
-        _ => None,
-    }
+pub(super) fn coding(address: u8, control: &Control) -> Option<FeedCoding> {
+    let coding = match address {
+        b'F' => control.feed,
+        b'S' => control.spindle,
+        _ => return None,
+    };
+    matches!(coding, FeedCoding::Arithmetic | FeedCoding::Geometric).then_some(coding)
 }

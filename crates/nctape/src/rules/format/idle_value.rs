@@ -1,6 +1,6 @@
 //! SPEC-27: a value of the itemized data decides nothing.
 
-use crate::format::{Designation, FeedCoding, FormatDiagnostic, SetPoint, SpindleCoding};
+use crate::format::{Designation, FeedCoding, FormatDiagnostic, SetPoint};
 use crate::function::{Preparatory, preparatory};
 use crate::rules::prelude::*;
 use std::collections::BTreeMap;
@@ -27,7 +27,7 @@ pub(crate) fn check(control: &Control, problems: &mut Vec<FormatDiagnostic>) {
     report("curves", stated.curves.as_ref().and_then(|curves| curve_codes(curves.keys())));
     let feed = (control.feed == FeedCoding::Symbolic, control.feed.word(), 'F');
     report("symbolicFeeds", stated.symbolic_feeds.as_ref().and_then(|table| symbols(table, feed, control)));
-    let speed = (control.spindle == SpindleCoding::Symbolic, control.spindle.word(), 'S');
+    let speed = (control.spindle == FeedCoding::Symbolic, control.spindle.word(), 'S');
     report("symbolicSpeeds", stated.symbolic_speeds.as_ref().and_then(|table| symbols(table, speed, control)));
     if let Some(declared) = &stated.declared {
         report("declared", functions('G', declared.g.keys()));
