@@ -135,10 +135,6 @@ fn feeds_of_each_kind() {
     coded.itemized.feed = Some(FeedCoding::Arithmetic);
     let tape = run(&coded, &["G93G01X+001000F004", "G94X+002000F615M30"]);
     assert_eq!(tape.spans().list[1].feed, Some(150.0));
-
-    // A thread runs by its lead, whatever F says.
-    let tape = run(&format(), &["G01X+001000F0300", "G33Z+001000K+000100M30"]);
-    assert_eq!((tape.spans().list[1].feed, tape.spans().list[1].seconds), (None, None));
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! Random edits of a tape where edits are awkward: inside CR LF, `*` with a line end, words, comments and surrogate
 //! pairs; parentheses that open and close; whole stretches that go.
 
-use nctape::format::Dimensions;
+use nctape::format::{Dimensions, Dwell, DwellUnit};
 use nctape::{Format, Standard, Tape};
 use std::fmt::Write;
 
@@ -77,6 +77,10 @@ const PIECES: &[&str] = &[
     "/N010 X+001000\n",
     "(N011 G01\nN012 X+005000\n)",
     "1.5",
+    "S0500",
+    "G04 X+000150\n",
+    "G33 X+001000 I+000200\n",
+    "G95 F0002",
 ];
 
 /// An edit of a text in UTF-16 code units: from, to, insert. It may fall between the halves of a surrogate pair.
@@ -116,8 +120,10 @@ pub fn formats() -> [Format; 4] {
     let mut incremental =
         Format::new(Standard::Iso2539, "N3.G2.XL42.YL42.ZL42.IL42.JL42.F4.T2.M2*").classified("CSM 332");
     incremental.itemized.dimensions = Some(Dimensions::Incremental);
+    let mut absolute = Format::new(Standard::Iso2539, "N3G2X+42Y+42I+42J+42F4S4T2M2*").classified("CAM 222");
+    absolute.itemized.dwell = Some(Dwell { address: 'X', unit: DwellUnit::Revolutions });
     [
-        Format::new(Standard::Iso2539, "N3G2X+42Y+42I+42J+42F4T2M2*").classified("CAM 222"),
+        absolute,
         incremental,
         Format::new(Standard::Iso1058, "N3.G2.X+42.Y+42.F2.T2.M2*").classified("PTM 222"),
         Format::new(Standard::Rs274, "n3 g2 x+14 y+14 i+14 j+14 f21 m2*"),

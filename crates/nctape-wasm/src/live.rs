@@ -247,10 +247,9 @@ impl Tape {
         object.into()
     }
 
-    /// The first span that moves in a time that is not known; -1 where there is none.
+    /// The first span whose time is not known; -1 where there is none.
     pub fn untimed(&self) -> i32 {
-        let untimed = |span: &nctape::span::Span| span.seconds.is_none() && span.kind != nctape::span::SpanKind::Dwell;
-        self.tape.spans().list.iter().position(untimed).map_or(-1, |index| index as i32)
+        self.tape.spans().list.iter().position(|span| span.seconds.is_none()).map_or(-1, |index| index as i32)
     }
 
     /// A span; `null` beyond the last one.

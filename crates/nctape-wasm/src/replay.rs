@@ -3,7 +3,7 @@
 use crate::functions::set;
 use crate::live::Tape;
 use crate::value::to_js;
-use nctape::{Modal, Named, Rate, Registers};
+use nctape::{Dwelling, Modal, Named, Rate, Registers};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -16,6 +16,7 @@ struct RegistersView {
     modal: Vec<ModalView>,
     once: Vec<NamedView>,
     stop: Option<NamedView>,
+    dwell: Option<DwellView>,
     position: Vec<f64>,
     doubtful: Vec<bool>,
     feed: Option<RateView>,
@@ -45,6 +46,12 @@ struct ModalView {
 struct RateView {
     word: String,
     per_minute: Option<f64>,
+}
+
+#[derive(Serialize)]
+struct DwellView {
+    word: String,
+    seconds: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -95,6 +102,7 @@ fn view(block: usize, held: Registers) -> RegistersView {
         modal: held.modal.into_iter().map(modal).collect(),
         once: held.once.into_iter().map(named).collect(),
         stop: held.stop.map(named),
+        dwell: held.dwell.map(|Dwelling { word, seconds }| DwellView { word, seconds }),
         position: held.position,
         doubtful: held.doubtful,
         feed: held.feed.map(rate),

@@ -96,8 +96,9 @@ export interface Span {
   tangent?: number[];
   /** Curve: the control points. */
   control?: number[][];
+  /** Of a rotary axis that moves alone, in turns or degrees; 0 of a dwell, and of nothing else. */
   length: number;
-  /** Unit per minute along the path. */
+  /** Unit per minute along the path; turns or degrees per minute of a rotary axis that moves alone. */
   feed: number | null;
   seconds: number | null;
   /** A stand-in for what could not be computed. */
@@ -306,7 +307,10 @@ export interface Syntax {
   roles: Uint8Array;
 }
 
-/** The flattened path. Every span gives its start, then its points; a point's span is in `span`. */
+/**
+ * The flattened path. Every span gives its start, then its points; a point's span is in `span`. A dwell gives the same
+ * point twice.
+ */
 export interface Points { xyz: Float64Array; span: Uint32Array }
 
 /** The path of a live tape with what drawing needs: one entry of `kind`, `substitute` and `block` for each span. */
@@ -346,6 +350,8 @@ export interface Registers {
   once: NamedFunction[];
   /** The function of the block that makes the control wait behind it. */
   stop: NamedFunction | null;
+  /** How long the block dwells (G04), where the format states the word that says it. */
+  dwell: { word: string; seconds: number | null } | null;
   /** In the order of `axes`. */
   position: number[];
   /** The axes whose position is a guess, because a word could not be read. */

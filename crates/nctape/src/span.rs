@@ -17,7 +17,7 @@ pub enum SpanKind {
     Parabola,
     /// A curve of higher order.
     Curve,
-    /// A dwell: no motion.
+    /// A dwell: no motion, only time. It is the one kind whose length is zero.
     Dwell,
 }
 
@@ -91,9 +91,11 @@ pub struct Span {
     pub start: [f64; 3],
     /// Where X, Y and Z are at its end: the programmed point to the bit.
     pub end: [f64; 3],
-    /// Its length in the unit of the format: along X, Y and Z, or of the other axes where those stand still.
+    /// Its length in the unit of the format: along X, Y and Z, or of the other axes where those stand still, in their own
+    /// unit, which for a rotary axis is turns or degrees. Zero of a dwell and of nothing else.
     pub length: f64,
-    /// Unit per minute along the path; `None` where it is not known.
+    /// Unit per minute along the path, and of a rotary axis that moves alone turns or degrees per minute (ISO 2539
+    /// A.2.1); `None` where it is not known.
     pub feed: Option<f64>,
     /// `None` where it is not known.
     pub seconds: Option<f64>,
@@ -176,7 +178,7 @@ impl Spans {
 }
 
 impl Span {
-    /// X, Y and Z stand still: a rotary axis moves alone, and there is no length along the path.
+    /// X, Y and Z stand still: another axis moves alone, or none while the tool dwells. There is no length along the path.
     pub(crate) fn is_still(&self) -> bool {
         self.geometry == Geometry::Line && self.start == self.end
     }

@@ -11,7 +11,8 @@ use std::ops::Range;
 /// are of the order of the machines of the time, and so round that nobody takes them for a figure of the tape.
 const RAPID: [f64; 2] = [5000.0, 200.0];
 const CUTTING: [f64; 2] = [300.0, 12.0];
-/// Seconds for a move of rotary axes alone whose time is not known: it has no length along the path.
+/// Seconds for a move of rotary axes alone whose time is not known, and for such a dwell: neither has a length along
+/// the path.
 const TURNING: f64 = 2.0;
 
 /// Seconds at the most that one span takes here, some thirty years. A feed may be so small that the sum over a tape
@@ -103,8 +104,11 @@ impl Tape {
                 notes.push(format!("{name} {pace} {unit}/min"));
             }
         }
-        if unknown().any(Span::is_still) {
+        if unknown().any(|span| span.is_still() && span.kind != SpanKind::Dwell) {
             notes.push(format!("{TURNING} s for a turn without feed"));
+        }
+        if unknown().any(|span| span.kind == SpanKind::Dwell) {
+            notes.push(format!("{TURNING} s for a dwell of unknown time"));
         }
         let note = (!notes.is_empty()).then(|| format!("Assumed for the replay: {}", notes.join(", ")));
         Course { steps, span_seconds, assumed: unknown().count(), note, reader_speed }

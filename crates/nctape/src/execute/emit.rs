@@ -3,7 +3,7 @@
 use super::event::{Event, EventKind};
 use super::feed::Feed;
 use super::parabola::{Parabola, norm, subtract};
-use super::state::{Motion, State, in_unit};
+use super::state::{State, in_unit};
 use crate::format::ArcFeed;
 use crate::span::{Geometry, Span, SpanKind};
 
@@ -49,9 +49,13 @@ impl State<'_> {
             self.events.push(Event { block: blocks.0, kind: EventKind::ReciprocalParabola });
         }
         // The highest code of a feed is rapid traverse, as G00 is (annex A). A thread runs by its lead.
-        let straight = kind == SpanKind::Line && self.motion != Some(Motion::Line { thread: true });
+        let straight = kind == SpanKind::Line && !self.is_thread();
         let kind = if straight && self.feed == Feed::Rapid { SpanKind::Rapid } else { kind };
-        let minutes = if kind == SpanKind::Rapid { self.rapid(length) } else { self.minutes(length, sweep) };
+        let minutes = match kind {
+            SpanKind::Rapid => self.rapid(length),
+            _ if self.is_thread() => self.thread_minutes(start, length),
+            _ => self.minutes(length, sweep),
+        };
         let minutes = minutes.filter(|minutes| minutes.is_finite() && *minutes > 0.0);
         let feed = minutes.map(|minutes| length / minutes).filter(|feed| feed.is_finite());
         let seconds = minutes.map(|minutes| minutes * 60.0).filter(|seconds| seconds.is_finite());
@@ -68,16 +72,14 @@ impl State<'_> {
         };
         // A feed per minute was judged at its word; a rapid move has none, and what moves a rotary axis alone has none
         // along the path.
-        if let (Some(feed), Feed::Reciprocal(_) | Feed::PerRevolution(_)) =
-            (feed.filter(|_| !span.is_still()), self.feed)
-            && kind != SpanKind::Rapid
-        {
+        let by_span = self.is_thread() || matches!(self.feed, Feed::Reciprocal(_) | Feed::PerRevolution(_));
+        if let Some(feed) = feed.filter(|_| by_span && kind != SpanKind::Rapid && !span.is_still()) {
             self.note_speed(None, feed);
         }
         self.push_span(span, start);
     }
 
-    fn push_span(&mut self, span: Span, start: &[i64]) {
+    pub(super) fn push_span(&mut self, span: Span, start: &[i64]) {
         let control = self.control;
         let ends = start.iter().zip(self.target.iter()).zip(&control.axes).skip(3);
         self.spans.push(span, ends.map(|((&start, &end), axis)| [start, end].map(|at| in_unit(axis, at))));
@@ -85,15 +87,13 @@ impl State<'_> {
 
     /// The feed as the tape states it, where it states one along the path. A thread runs by its lead.
     fn plain_feed(&self) -> Option<f64> {
-        let thread = self.motion == Some(Motion::Line { thread: true });
+        let thread = self.is_thread();
         if let Feed::PerMinute(feed) = self.feed { Some(feed).filter(|feed| *feed > 0.0 && !thread) } else { None }
     }
 
     /// Minutes for a cutting span (annex A), noting what the F words lack.
     fn minutes(&mut self, length: f64, sweep: Option<f64>) -> Option<f64> {
         match self.feed {
-            // The feed of a thread is its lead, I, J or K.
-            _ if self.motion == Some(Motion::Line { thread: true }) => None,
             Feed::PerMinute(feed) if feed > 0.0 => Some(length / feed),
             Feed::PerRevolution(feed) if feed > 0.0 => {
                 self.speed.filter(|speed| *speed > 0.0).map(|speed| length / (feed * speed))

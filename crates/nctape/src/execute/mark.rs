@@ -20,6 +20,7 @@ pub(super) struct Carried {
     pub unit: FeedUnit,
     pub position: Position,
     pub pending: Option<Pending>,
+    pub leads: [i64; 3],
     pub lost: u32,
     pub lost_function: bool,
     /// There was a span before.

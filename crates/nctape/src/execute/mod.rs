@@ -6,6 +6,7 @@
 mod arc_block;
 pub(crate) mod circle;
 mod course;
+mod dwell;
 mod emit;
 mod event;
 mod execution;
@@ -17,6 +18,7 @@ mod parabola_block;
 mod position;
 mod registers;
 mod state;
+mod thread;
 mod totals;
 mod walk;
 
@@ -26,7 +28,7 @@ pub(crate) use event::{Event, EventKind};
 pub(crate) use execution::execute;
 pub use execution::{Execution, Kept};
 pub(crate) use parabola::ParabolaFault;
-pub use registers::{Modal, Named, Rate, Registers, Turning};
+pub use registers::{Dwelling, Modal, Named, Rate, Registers, Turning};
 pub(crate) use totals::Share;
 pub use totals::{Bounds, Totals};
 pub use walk::Fate;
@@ -59,6 +61,7 @@ fn run_block(state: &mut State<'_>, index: usize, block: &Block, words: &[Word])
     }
     for (place, word) in words.iter().enumerate() {
         match word.address {
+            _ if state.is_dwell(word) => state.take_dwell(place, word),
             b'F' => state.take_feed(place, word),
             b'S' => state.take_speed(place, word),
             b'M' => state.take_miscellaneous(place, word),
@@ -71,7 +74,7 @@ fn run_block(state: &mut State<'_>, index: usize, block: &Block, words: &[Word])
 /// Functions that are read and kept, but whose effect on the path is not computed.
 pub(crate) fn is_carried_out(group: Group, code: u8) -> bool {
     match group {
-        Group::Motion => !matches!(code, 33..=35),
+        Group::Motion => !matches!(code, 34 | 35),
         Group::Plane | Group::Dimensions | Group::Positioning | Group::Feed => true,
         Group::Spindle => code == 97,
         Group::Compensation => code == 40,

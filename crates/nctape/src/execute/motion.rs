@@ -9,6 +9,7 @@ impl State<'_> {
     /// Carries out the motion of the block whose words were taken.
     pub(crate) fn move_tool(&mut self) {
         if self.is_motionless() {
+            self.stand();
             return;
         }
         let parametric = self.parametric;
@@ -20,13 +21,14 @@ impl State<'_> {
                 self.note(EventKind::NoInterpolation { lost: self.lost_function });
             }
             // A positioning control positions; a contouring one is taken to interpolate, so that the path is seen.
-            if self.control.standard() == Standard::Iso1058 { Motion::Rapid } else { Motion::Line { thread: false } }
+            if self.control.standard() == Standard::Iso1058 { Motion::Rapid } else { Motion::Line }
         });
         self.count_axes(motion);
         self.check_travel();
         match motion {
             Motion::Rapid => self.straight(SpanKind::Rapid, 0),
-            Motion::Line { thread } => self.straight(SpanKind::Line, if thread { 33 } else { 1 }),
+            Motion::Line => self.straight(SpanKind::Line, 1),
+            Motion::Thread { .. } => self.straight(SpanKind::Line, 33),
             Motion::Circle { clockwise } if parametric => self.arc(clockwise),
             Motion::Circle { clockwise } => self.arc_point(clockwise),
             Motion::Parabola if parametric => self.parabola(),
@@ -95,7 +97,9 @@ impl State<'_> {
     }
 
     fn straight(&mut self, kind: SpanKind, code: u8) {
-        if code != 33 {
+        if code == 33 {
+            self.take_leads();
+        } else {
             for parameter in self.parameters.into_iter().flatten() {
                 self.note(EventKind::IdleParameter { word: parameter.place, code });
             }

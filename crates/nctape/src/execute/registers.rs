@@ -26,6 +26,8 @@ pub struct Registers {
     pub once: Vec<Named>,
     /// The function of the block that makes the control wait behind it.
     pub stop: Option<Named>,
+    /// How long the block dwells; `None` where it does not, or where the format states no word for it.
+    pub dwell: Option<Dwelling>,
     /// Where every axis stands, in the unit of the format.
     pub position: Vec<f64>,
     /// The axes whose position is a guess, because a word could not be read.
@@ -72,6 +74,15 @@ pub struct Rate {
     pub word: String,
     /// Unit or revolutions per minute; `None` where the word alone does not say it.
     pub per_minute: Option<f64>,
+}
+
+/// A dwell: its word as written, and how long it lasts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Dwelling {
+    /// As written.
+    pub word: String,
+    /// `None` where it is counted in revolutions and the spindle speed is not known.
+    pub seconds: Option<f64>,
 }
 
 /// What the spindle does.
@@ -172,6 +183,10 @@ impl Tape {
             sequence: held.sequence.map(written),
             modal: modal.collect(),
             once: once(control, words),
+            dwell: state
+                .pause
+                .filter(|_| fate == Fate::Executed)
+                .map(|pause| Dwelling { word: written((index, pause.place)), seconds: pause.seconds }),
             stop: stop_of(words).map(|code| miscellaneous_named(control, code)),
             position: position.iter().enumerate().map(|(axis, &at)| state.in_unit(axis, at)).collect(),
             doubtful: (0..position.len()).map(|axis| state.is_lost(axis)).collect(),
@@ -207,6 +222,8 @@ struct Held {
     tool: Option<(usize, usize)>,
     tool_change: Option<u8>,
     others: Vec<(u8, Option<(usize, usize)>)>,
+    /// The address of the word that a dwell counts by.
+    dwell: Option<char>,
     /// The G codes that the itemized data declares as curves: they belong to the group of motions.
     curves: Vec<u8>,
 }
@@ -224,6 +241,7 @@ impl Held {
             tool: None,
             tool_change: None,
             others: other_letters(control),
+            dwell: control.format.itemized.dwell.as_ref().map(|dwell| dwell.address),
             curves: curves.filter_map(|name| name.strip_prefix('G')?.parse().ok()).collect(),
         }
     }
@@ -235,9 +253,12 @@ impl Held {
     }
 
     fn take(&mut self, block: usize, words: &[Word]) {
+        // A word that says how long the block dwells says nothing else.
+        let dwells = self.dwell.is_some() && words.iter().any(|word| word.function(b'G') == Some(4));
         for (place, word) in words.iter().enumerate() {
             let at = Some((block, place));
             match word.address {
+                _ if dwells && Some(word.letter()) == self.dwell => {}
                 _ if word.is_sequence() => self.sequence = at,
                 b'G' => word.function(b'G').into_iter().for_each(|code| self.take_preparatory(code)),
                 b'F' => self.feed = at,

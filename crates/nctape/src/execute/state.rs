@@ -1,5 +1,6 @@
 //! What the control holds from block to block: modal functions, position, feed.
 
+use super::dwell::Pause;
 use super::event::{Event, EventKind};
 use super::feed::{self, CodeFault, Feed};
 use super::is_carried_out;
@@ -15,8 +16,10 @@ use crate::span::Spans;
 pub(crate) enum Motion {
     /// G00.
     Rapid,
-    /// G01, and G33 to G35, whose path is the same line.
-    Line { thread: bool },
+    /// G01.
+    Line,
+    /// G33, whose lead is constant, and G34 and G35, whose lead changes; the path is a line.
+    Thread { constant: bool },
     /// G02 and G03.
     Circle { clockwise: bool },
     /// G06.
@@ -68,6 +71,8 @@ pub(crate) struct State<'a> {
     /// Where every axis is, in least input increments.
     pub position: Position,
     pub pending: Option<Pending>,
+    /// I, J and K of the last thread that gave some, in least input increments.
+    pub leads: [i64; 3],
 
     pub block: usize,
     /// Where the block takes every axis.
@@ -89,6 +94,10 @@ pub(crate) struct State<'a> {
     lost_at_start: u32,
     motionless: bool,
     preload: bool,
+    /// The block dwells by a word that the format states.
+    pub dwells: bool,
+    /// That word.
+    pub pause: Option<Pause>,
     /// A preparatory function could not be read or is not assigned, and was reported: it may have been the
     /// interpolation code.
     pub lost_function: bool,
@@ -127,6 +136,9 @@ impl<'a> State<'a> {
             lost_at_start: 0,
             motionless: false,
             preload: false,
+            dwells: false,
+            pause: None,
+            leads: [0; 3],
             lost_function: false,
             spans: Spans::new(axes),
             events: Vec::new(),
@@ -161,6 +173,7 @@ impl<'a> State<'a> {
             unit,
             position: self.position,
             pending: self.pending,
+            leads: self.leads,
             lost: self.lost,
             // Once there is an interpolation code it is no matter.
             lost_function: self.lost_function && motion.is_none(),
@@ -176,7 +189,7 @@ impl<'a> State<'a> {
         (self.feed, self.speed, self.cutting_speed, self.any_speed) = (feed, speed, cutting_speed, any_speed);
         (self.coding, self.unit) = (coding, unit);
         (self.position, self.pending, self.lost) = (carried.position, carried.pending, carried.lost);
-        self.lost_function = carried.lost_function;
+        (self.leads, self.lost_function) = (carried.leads, carried.lost_function);
         self.moved_before = carried.moved;
     }
 
@@ -213,6 +226,8 @@ impl<'a> State<'a> {
         self.lost_at_start = self.lost;
         self.motionless = false;
         self.preload = false;
+        self.dwells = false;
+        self.pause = None;
     }
 
     pub(crate) fn take_preparatory(&mut self, code: u8) {
@@ -226,7 +241,8 @@ impl<'a> State<'a> {
                     0 => Motion::Rapid,
                     2 | 3 => Motion::Circle { clockwise: code == 2 },
                     6 => Motion::Parabola,
-                    _ => Motion::Line { thread: code >= 33 },
+                    33..=35 => Motion::Thread { constant: code == 33 },
+                    _ => Motion::Line,
                 };
                 self.set_motion(motion);
             }
@@ -248,11 +264,15 @@ impl<'a> State<'a> {
                 self.cutting_speed = code == 96;
                 self.speed = None;
             }
-            (Group::Once, 4) => self.motionless = true,
+            (Group::Once, 4) => {
+                self.motionless = true;
+                self.dwells = self.control.format.itemized.dwell.is_some();
+            }
             (Group::Once, 92) => self.preload = true,
             _ => {}
         }
-        if !is_carried_out(group, code) {
+        let dwells = code == 4 && self.dwells;
+        if !(dwells || is_carried_out(group, code)) {
             self.note(EventKind::NotCarriedOut(code));
         }
     }

@@ -450,7 +450,7 @@ itemized! {
     /// Greatest feed.
     maximum_feed: Positive, "maximumFeed", "Speeds", "Greatest feed per minute", "not stated", "The greatest feed of the machine.";
     /// The word of a dwell.
-    dwell: Dwell, "dwell", "Speeds", "Dwell", "not stated", "Which word carries the time of a dwell (G04), and in what unit. It is kept with the format; nothing is worked out from it here.";
+    dwell: Dwell, "dwell", "Speeds", "Dwell", "not stated", "Which word carries the time of a dwell (G04), and in what unit. While it is not stated, no time is known for a dwell.";
 
     /// P, Q, R are compensation vectors.
     compensation: bool, "compensation", "Tool", "P, Q, R are compensation vectors", "no: tertiary motions", "Whether P, Q and R carry the unit vector of cutter compensation (clause 5).";

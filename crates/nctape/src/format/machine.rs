@@ -45,6 +45,9 @@ impl Format {
         if kind == SpanKind::Rapid {
             return untimed("The rapid traverse of the machine is not stated.", Some("itemized.rapid"));
         }
+        if kind == SpanKind::Dwell {
+            return untimed("A dwell in revolutions needs a spindle speed, and no S word in force says one.", None);
+        }
         match (control.feed, control.feed_unit) {
             (FeedCoding::Symbolic, _) => {
                 untimed("A symbolic F has no value in the format.", Some("itemized.symbolicFeeds"))
@@ -53,7 +56,7 @@ impl Format {
             (_, FeedUnit::PerRevolution) => {
                 untimed("A feed per revolution needs a spindle speed, and no S word in force says one.", None)
             }
-            _ => untimed("No F word in force says a feed.", None),
+            _ => untimed("No F word in force says a feed; a thread needs its lead and a spindle speed.", None),
         }
     }
 }

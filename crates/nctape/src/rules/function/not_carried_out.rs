@@ -31,7 +31,13 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
             Preparatory::Assigned(_, meaning) => meaning,
             _ => declared.and_then(|declared| declared.g.get(&name)).map_or("curve", String::as_str),
         };
-        let message = if code == 92 {
+        let message = if code == 4 && tape.control.format.itemized.dwell.is_none() {
+            "G04 (Dwell) is read and checked, but the format does not state which word says how long: times here leave it \
+             out. State dwell in the itemized data."
+                .to_owned()
+        } else if code == 4 {
+            "G04 (Dwell) has no word that says how long, or a negative one: times here leave it out.".to_owned()
+        } else if code == 92 {
             "G92 (Preload of registers) moves no tool: from here the dimensions count from another origin. The path is \
              drawn in the new coordinates, so that it seems to jump."
                 .to_owned()
