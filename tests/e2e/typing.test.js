@@ -216,3 +216,13 @@ test('Page Down behind the last block stays there, and Page Up comes back to it'
   assert.match(await row(), /block N012, character N/);
   await leave();
 });
+
+test('a new line begins empty, whatever blanks and tabs the one before it begins with', async () => {
+  const { page, leave } = await visit(started);
+  await paste(page, '%\n\t  N001 M03\n');
+  await endOfLine(page, 'N001');
+  await page.keyboard.press('Enter');
+  await page.keyboard.type('N002');
+  assert.deepEqual(await lines(page), ['%', '\t  N001 M03', 'N002', '']);
+  await leave();
+});

@@ -1,10 +1,11 @@
 // The listing of the tape: text and format in one state with one undo.
-import { defaultKeymap, history, historyKeymap } from '@codemirror/commands';
+import { history } from '@codemirror/commands';
 import { Annotation, EditorState, Transaction } from '@codemirror/state';
 import { drawSelection, EditorView, highlightSpecialChars, keymap } from '@codemirror/view';
 import sharedStyle from '../style/shared.css?inline';
 import { formatField, formatWithUndo, setFormat, undoTo } from './format-field.js';
 import { blockGutter } from './gutter.js';
+import { keys } from './keys.js';
 import { litField } from './lit.js';
 import { liveMarks, marksField } from './marks.js';
 import { closedParentheses } from './parentheses.js';
@@ -62,8 +63,7 @@ export function makeEditor({ host, format, kinds, ask, card, goToProblem, leave,
           { key: 'F8', run: () => (goToProblem(1), true), shift: () => (goToProblem(-1), true) },
           { key: 'Mod-i', run: insertTab, preventDefault: true },
           { key: 'Escape', run: () => (leave(), true) },
-          ...historyKeymap,
-          ...defaultKeymap,
+          ...keys,
         ]),
         EditorView.contentAttributes.of({
           'aria-label': 'Program of the tape. Escape leaves it.',
