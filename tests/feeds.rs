@@ -163,3 +163,119 @@ fn a_rotary_axis_alone_turns_at_a_feed_of_its_own_unit() {
     let format = Format::new(Standard::Iso2539, "N3G2X+42B+33F4M2*").classified("CAMD 222");
     assert_eq!(seconds(&run(&format, &["G01X+001000B+090000F0300M30"])), [Some(2.0)]);
 }
+
+/// Thirty rows a second; the blocks have 21, 13 and 8 rows, and are cut in 2, 0,2 and no time.
+fn slow() -> (Format, [&'static str; 3]) {
+    let mut format = format();
+    format.itemized.reader_speed = Some(nctape::format::value::Positive(30.0));
+    (format, ["G01X+001000F0300", "X+001100", "M30"])
+}
+
+#[test]
+fn a_block_starves_that_is_cut_faster_than_it_is_read() {
+    let (mut format, blocks) = slow();
+    let tape = run(&format, &blocks);
+    let times = tape.times(0..usize::MAX);
+    assert_eq!(times.executing, [Some(2.0), Some(0.2), Some(0.0)]);
+    assert_eq!(times.reading, [21.0 / 30.0, 13.0 / 30.0, 8.0 / 30.0]);
+    assert_eq!(times.starved, [false, true, false]);
+    assert_eq!(tape.times(1..2).reading, [13.0 / 30.0], "a stretch is that of the whole");
+
+    let time = tape.time();
+    let near = |one: Option<f64>, other: f64| (one.unwrap() - other).abs() < 1e-12;
+    assert!(near(time.executing, 2.2));
+    // The longer of the two for each block, or both.
+    assert!(near(time.buffered, 2.0 + 13.0 / 30.0 + 8.0 / 30.0));
+    assert!(near(time.unbuffered, 2.2 + 42.0 / 30.0));
+    assert!(near(Some(time.reading), 42.0 / 30.0));
+    assert_eq!(time.starved, 1);
+    assert!(near(Some(time.waiting), 13.0 / 30.0 - 0.2));
+    format.itemized.buffered = Some(false);
+    let tape = run(&format, &blocks);
+    assert!(near(Some(tape.time().waiting), 13.0 / 30.0), "without a buffer it waits for all of the reading");
+    let found = tape.diagnostics().into_iter().find(|found| found.id == "FEED-15").unwrap();
+    assert_eq!((found.severity, found.count), (Severity::Warning, 1));
+}
+
+#[test]
+fn no_time_is_told_of_what_is_not_known() {
+    let (format, _) = slow();
+    let tape = run(&format, &["G00X+001000", "G01X+002000F0300", "M30", "X+003000"]);
+    let times = tape.times(0..usize::MAX);
+    assert_eq!(times.executing, [None, Some(2.0), Some(0.0), Some(0.0)]);
+    assert_eq!(times.reading[3], 0.0, "behind the end nothing is read");
+    let time = tape.time();
+    assert_eq!((time.executing, time.buffered, time.unbuffered), (None, None, None));
+    assert!(time.reading > 0.0);
+    assert!(time.sentences(&format)[0].contains("not known"));
+}
+
+#[test]
+fn the_blocks_of_an_arc_in_two_are_read_together() {
+    let (format, _) = slow();
+    // A quarter of radius 10 in 15,7 mm, 3,1 s; its blocks have 24 and 21 rows, 1,5 s.
+    let tape = run(&format, &["G01F0300", "G02X+000293Y+000707", "X+001000Y+001000M30"]);
+    assert_eq!(tape.times(0..3).starved, [false; 3]);
+    let tape = run(&format, &["G01F1200", "G02X+000293Y+000707", "X+001000Y+001000M30"]);
+    assert_eq!(tape.times(0..3).starved, [false, false, true]);
+    let found = tape.diagnostics().into_iter().find(|found| found.id == "FEED-15").unwrap();
+    assert!(tape.text()[found.range.clone()].starts_with("N002"), "said at the first of them");
+}
+
+#[test]
+fn rows_of_zeros_that_a_format_could_let_go() {
+    let zeros = |detail: &str, block: &str| {
+        let format = Format::new(Standard::Iso2539, detail).classified("CAM 222");
+        let zeros = Tape::new(&format!("%\n{block}\n"), &format).time().zeros;
+        (zeros.leading, zeros.trailing, zeros.permitted)
+    };
+    // Every digit is punched: 001200 has two before its first and two behind its last; of 000000 one stays.
+    assert_eq!(zeros("N3G2X+42Y+42M2*", "N001G01X+001200Y+000000M30"), (2 + 5, 2 + 5, 0));
+    // Zeros before the number may go, and were not left out.
+    assert_eq!(zeros("N3G2X+042Y+042M2*", "N001G01X+001200Y+12M30"), (2, 2, 2));
+    // Zeros behind it may go: 0012 is 001200.
+    assert_eq!(zeros("N3G2X+420Y+420M2*", "N001G01X+0012Y+001200M30"), (2 + 2, 2, 2));
+}
+
+/// A speed under every method, and a code: against figures of the printed tables.
+#[test]
+fn a_speed_is_compared_under_every_method() {
+    use nctape::format::{Control, FeedCoding};
+    use nctape::speed::{Compared, Comparison};
+    let mut comparison = Comparison::new(Control::new(&format()), true);
+    comparison.length = Some(11.716);
+    comparison.radius = Some(20.0);
+    let codes =
+        |rows: Vec<Compared>| -> Vec<String> { rows.into_iter().map(|row| row.code.unwrap_or_default()).collect() };
+    let rows = comparison.codes(300.0);
+    // Annex E's N009 is F0025; 300/20 radians a minute; 630, 6300, 63000 say 300; 50 is 315; no table; itself.
+    assert_eq!(codes(rows.clone()), ["0025", "0015", "630", "6300", "63000", "50", "", "0300"]);
+    assert!((rows[0].deviation.unwrap() + 2.3667).abs() < 1e-3, "never above: {:?}", rows[0]);
+    assert_eq!(rows[5].deviation, Some(5.0));
+    assert!(rows[7].in_force && !rows[2].in_force);
+    assert!(rows[6].note.contains("symbolicFeeds"));
+
+    let said = |written: &str| -> Vec<Option<f64>> {
+        comparison.speeds(written).unwrap().into_iter().map(|row| row.speed).collect()
+    };
+    assert_eq!(said("50"), [Some(50.0 * 11.716), Some(1000.0), None, Some(315.0), None, Some(50.0)]);
+    assert_eq!(said("615")[2], Some(150.0));
+    assert!(comparison.speeds("99").unwrap()[3].rapid);
+    assert_eq!(comparison.speeds("F12"), None);
+    let spindle = Comparison::new(Control::new(&format()), false);
+    assert_eq!(
+        (spindle.unit(), codes(spindle.codes(1728.0))),
+        (
+            "rev/min",
+            vec![
+                "717".to_owned(),
+                "7173".to_owned(),
+                "71728".to_owned(),
+                "65".to_owned(),
+                String::new(),
+                "1728".to_owned()
+            ]
+        )
+    );
+    assert!(spindle.codes(10.0).iter().all(|row| row.method != FeedCoding::TimeReciprocal));
+}

@@ -10,6 +10,7 @@ mod offsets;
 mod paper;
 mod replay;
 mod report;
+mod speeds;
 mod value;
 mod vocabulary;
 
@@ -24,6 +25,7 @@ pub use live::Tape;
 pub use paper::{
     about_codes, lettering, lettering_note, on_machine_of, open_file, picture, reader_speed, row_words, why_untimed,
 };
+pub use speeds::{speed_codes, speed_of};
 pub use vocabulary::{code_table, format_fields, presets, rules, span_kinds, standards};
 
 #[wasm_bindgen(typescript_custom_section)]

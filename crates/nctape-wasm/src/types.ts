@@ -367,6 +367,70 @@ export interface Registers {
   others: { address: string; word: string | null }[];
 }
 
+/** What the codes of a speed are compared for. */
+export interface SpeedQuery {
+  /** Its digits, tables and unit hold. */
+  format: Format;
+  /** Feeds or spindle speeds: "F". */
+  address?: "F" | "S";
+  /** Length of the block and radius of its arc in the unit of the format: the reciprocal of time needs them. */
+  length?: number | null;
+  radius?: number | null;
+}
+/** A speed, or a code, under each method of annex A. */
+export interface SpeedComparison {
+  /** What the speeds are counted in: "mm/min", "inch/rev", "rev/min". */
+  unit: string;
+  lengthUnit: "mm" | "inch";
+  rows: ComparedSpeed[];
+}
+export interface ComparedSpeed {
+  method: "time-reciprocal" | "arithmetic" | "geometric" | "symbolic" | "direct";
+  /** The method in words, and where it is printed. */
+  title: string;
+  clause: string;
+  /** The word has this coding in the format. */
+  inForce: boolean;
+  /** The digits behind the address; null where the speed has no code. */
+  code: string | null;
+  /** What the code says; null where it says no speed. */
+  speed: number | null;
+  /** How far that is above the speed that was asked for, in per cent; null where none was. */
+  deviation: number | null;
+  /** The code says rapid traverse. */
+  rapid: boolean;
+  /** Why there is no code or no speed; else empty. */
+  note: string;
+}
+
+/** How long blocks take, one entry for each. */
+export interface BlockTimes {
+  /** Seconds of the spans that a block ends; 0 where it moves nothing, -1 where it is not known. */
+  executing: Float64Array;
+  /** Seconds of the reader for its rows; 0 behind the end of the program. */
+  reading: Float64Array;
+  /** 1: it cuts, and faster than it is read. */
+  starved: Uint8Array;
+}
+/** The time of a tape with its reader, in seconds; null where a span has no known time. */
+export interface TapeTime {
+  reading: number;
+  /** The machine alone. */
+  executing: number | null;
+  /** With the reader, with and without one block of buffer. */
+  buffered: number | null;
+  unbuffered: number | null;
+  /** Blocks that cut faster than they are read, and for how long the tool stands there. */
+  starved: number;
+  waiting: number;
+  /** Rows of zeros before and behind the numbers of dimension words; those that the format lets be left out. */
+  leadingZeros: number;
+  trailingZeros: number;
+  permittedZeros: number;
+  /** The same in words. */
+  sentences: string[];
+}
+
 /** How a tape passes through the control. Times that are not known are assumed, so that it can be shown at work. */
 export interface Course {
   /** First row and behind the last row of each block, two entries a block. */

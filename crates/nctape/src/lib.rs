@@ -58,7 +58,10 @@ mod suggest;
 pub mod presets;
 
 pub use diagnostic::{Diagnostic, Severity};
-pub use execute::{Bounds, Course, Dwelling, Fate, Kept, Modal, Named, Rate, Registers, Step, Stop, Totals, Turning};
+pub use execute::{
+    BlockTimes, Bounds, Course, Dwelling, Fate, Kept, Modal, Named, Rate, Registers, Step, Stop, TapeTime, Totals,
+    Turning, ZeroRows,
+};
 pub use format::{Format, Standard};
 pub use suggest::{Suggestion, suggest};
 pub use tape::{ROW_PITCH_MILLIMETRES, Tape};

@@ -7,6 +7,10 @@ use super::state::{State, in_unit};
 use crate::format::ArcFeed;
 use crate::span::{Geometry, Span, SpanKind};
 
+/// Below it the next number of a reciprocal of time is more than a quarter faster. At 4, which annex E has, it is just
+/// that.
+const COARSE: i64 = 4;
+
 impl State<'_> {
     /// A straight stand-in from `start` to the target, whose feed and time are not known.
     pub(super) fn substitute(&mut self, start: &[i64], first: usize) {
@@ -75,6 +79,11 @@ impl State<'_> {
         let by_span = self.is_thread() || matches!(self.feed, Feed::Reciprocal(_) | Feed::PerRevolution(_));
         if let Some(feed) = feed.filter(|_| by_span && kind != SpanKind::Rapid && !span.is_still()) {
             self.note_speed(None, feed);
+            if let (Feed::Reciprocal(_), Some((word, Some(number)))) = (self.feed, self.own_feed)
+                && number < COARSE
+            {
+                self.note(EventKind::CoarseReciprocal { word, feed, step: feed / number as f64 });
+            }
         }
         self.push_span(span, start);
     }
@@ -99,7 +108,7 @@ impl State<'_> {
                 self.speed.filter(|speed| *speed > 0.0).map(|speed| length / (feed * speed))
             }
             Feed::Reciprocal(rate) if rate > 0.0 => {
-                if !self.own_feed {
+                if self.own_feed.is_none() {
                     self.note(EventKind::NoOwnFeed);
                 }
                 let by_time = 1.0 / rate;

@@ -20,6 +20,8 @@ pub(crate) enum EventKind {
     NoFeed,
     /// Time-reciprocal coding: cutting motion without an F of its own.
     NoOwnFeed,
+    /// Time-reciprocal coding: a number so small that the next one is more than a quarter faster, by `step`.
+    CoarseReciprocal { word: usize, feed: f64, step: f64 },
     /// Time-reciprocal coding: a parabola.
     ReciprocalParabola,
     /// Time-reciprocal coding: an arc, while it is not stated how its feed is read.

@@ -19,6 +19,7 @@ mod position;
 mod registers;
 mod state;
 mod thread;
+mod timetable;
 mod totals;
 mod walk;
 
@@ -29,6 +30,8 @@ pub(crate) use execution::execute;
 pub use execution::{Execution, Kept};
 pub(crate) use parabola::ParabolaFault;
 pub use registers::{Dwelling, Modal, Named, Rate, Registers, Turning};
+pub(crate) use timetable::cut_and_read;
+pub use timetable::{BlockTimes, TapeTime, ZeroRows};
 pub(crate) use totals::Share;
 pub use totals::{Bounds, Totals};
 pub use walk::Fate;

@@ -81,7 +81,8 @@ pub(crate) struct State<'a> {
     pub words: Vec<Option<usize>>,
     /// I, J and K of the block.
     pub parameters: [Option<Parameter>; 3],
-    pub own_feed: bool,
+    /// The F word of the block: its place, and its number where it has all digits.
+    pub own_feed: Option<(usize, Option<i64>)>,
     /// The block has a dimension word, readable or not.
     pub addressed: bool,
     /// The block has an interpolation parameter, readable or not.
@@ -128,7 +129,7 @@ impl<'a> State<'a> {
             target: Position::new(&control.set_point),
             words: vec![None; axes],
             parameters: [None; 3],
-            own_feed: false,
+            own_feed: None,
             addressed: false,
             parametric: false,
             unread: false,
@@ -219,7 +220,7 @@ impl<'a> State<'a> {
         self.target = self.position;
         self.words.fill(None);
         self.parameters = [None; 3];
-        self.own_feed = false;
+        self.own_feed = None;
         self.addressed = false;
         self.parametric = false;
         self.unread = false;
@@ -312,7 +313,9 @@ impl<'a> State<'a> {
     }
 
     pub(crate) fn take_feed(&mut self, place: usize, word: &Word) {
-        self.own_feed = true;
+        // One that lacks digits is at fault, and its number is a guess.
+        let whole = self.control.designation(b'F').is_some_and(|it| u16::from(it.width()) == word.digits);
+        self.own_feed = Some((place, word.value.filter(|_| whole)));
         let (feed, fault) = feed::read_feed(word, self.control, self.coding, self.unit);
         self.feed = feed;
         self.note_code(place, fault);

@@ -405,7 +405,7 @@ itemized! {
     /// Rows per second.
     reader_speed: Positive, "readerSpeed", "Tape", "Reader speed in rows per second", "300", "How fast the reader draws the tape: the time that reading it takes follows from it, and the pace of the replay over blocks that move nothing.";
     /// One block is read ahead.
-    buffered: bool, "buffered", "Tape", "Block buffer", "yes", "Whether the next block is read while this one is executed. It is kept with the format; nothing is worked out from it here.";
+    buffered: bool, "buffered", "Tape", "Block buffer", "yes", "Whether the next block is read while this one is executed. Without it the tool stands for the reading of every block.";
 
     /// Dimensions at the start, where the detail leaves it open.
     dimensions: Dimensions, "dimensions", "Dimensions", "Dimensions at the start", "absolute", "Where the detail has L, and always under RS-274: how dimension words are read until G90 or G91.";

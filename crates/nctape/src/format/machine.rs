@@ -38,6 +38,11 @@ impl Format {
         format
     }
 
+    /// One block is read ahead while another is executed: yes, unless the format states otherwise.
+    pub fn is_buffered(&self) -> bool {
+        self.itemized.buffered.unwrap_or(true)
+    }
+
     /// Why a moving span of this kind has no known time.
     pub fn why_untimed(&self, kind: SpanKind) -> Untimed {
         let control = Control::new(self);

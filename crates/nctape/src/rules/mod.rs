@@ -132,15 +132,18 @@ pub static ALL: &[&Rule] = &[
     &motion::undetermined_arc::RULE,
     &feed::short_reciprocal::RULE,
     &feed::no_own_feed::RULE,
+    &feed::coarse_reciprocal::RULE,
     &feed::arc_feed_not_stated::RULE,
     &feed::reciprocal_on_parabola::RULE,
     &feed::second_digit_zero::RULE,
     &feed::arithmetic_width::RULE,
     &feed::geometric_width::RULE,
     &feed::stop_or_rapid::RULE,
+    &feed::shift_not_stated::RULE,
     &feed::unlisted_code::RULE,
     &feed::no_feed::RULE,
     &feed::too_fast::RULE,
+    &feed::slow_reading::RULE,
     &feed::not_in_1058::RULE,
     &feed::spindle_without_speed::RULE,
     &compensation::unit_vector::RULE,
@@ -288,12 +291,15 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     motion::full_circle::check(tape, sink);
     motion::no_motion::check(tape, sink);
     feed::no_own_feed::check(tape, sink);
+    feed::coarse_reciprocal::check(tape, sink);
     feed::arc_feed_not_stated::check(tape, sink);
     feed::reciprocal_on_parabola::check(tape, sink);
     feed::stop_or_rapid::check(tape, sink);
     feed::unlisted_code::check(tape, sink);
     feed::no_feed::check(tape, sink);
     feed::spindle_without_speed::check(tape, sink);
+    feed::slow_reading::check(tape, sink);
+    let is_moved = feed::shift_not_stated::check(tape, sink);
     for event in &tape.execution.events {
         motion::too_many_axes::check(event, tape, sink);
         motion::out_of_plane::check(event, tape, sink);
@@ -312,6 +318,8 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         motion::skewed_parabola::check(event, tape, sink);
         number::out_of_travel::check(event, tape, sink);
         feed::second_digit_zero::check(event, tape, sink);
-        feed::too_fast::check(event, tape, sink);
+        if !is_moved {
+            feed::too_fast::check(event, tape, sink);
+        }
     }
 }

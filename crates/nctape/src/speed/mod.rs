@@ -13,11 +13,14 @@
 //! revolutions per minute.
 
 pub mod arithmetic;
+mod compare;
 mod decimal;
 pub mod direct;
 pub mod geometric;
 pub mod reciprocal;
 pub mod symbolic;
+
+pub use compare::{Compared, Comparison};
 
 use crate::format::{Control, FeedCoding, SpindleCoding, Standard};
 use std::collections::BTreeMap;
