@@ -1,12 +1,16 @@
 //! The tapes that are measured. Each is the same in every run; `tests/bench_tapes.rs` holds that they are what they
 //! claim to be.
 
+use nctape::format::value::Positive;
 use nctape::{Format, Standard};
 use std::fmt::Write;
 
-/// The format of all of them: absolute dimensions with sign, in micrometres, and room for millions of blocks.
+/// The format of all of them: absolute dimensions with sign, in micrometres, room for millions of blocks, and a reader so
+/// fast that no block waits for it.
 pub fn format() -> Format {
-    Format::new(Standard::Iso2539, "N7.G2.X+33.Y+33.Z+33.I+33.J+33.F4.M2*").classified("CSM 333")
+    let mut format = Format::new(Standard::Iso2539, "N7.G2.X+33.Y+33.Z+33.I+33.J+33.F4.M2*").classified("CSM 333");
+    format.itemized.reader_speed = Some(Positive(10_000.0));
+    format
 }
 
 /// A contouring program of `blocks` straight cuts, each with N, G, X, Y, Z and F.

@@ -3,8 +3,8 @@
 /// A number above zero by its leading digits: `digits` of them, as a whole number, and how many of all its digits stand
 /// before the decimal sign (zero or less where it is below one: no digit, less a place for each zero behind the sign).
 ///
-/// The digits are those of the shortest decimal that says the number, which is what was typed or printed: 15,25 is
-/// rounded to 15,3, though no binary number is halfway between two decimals of which that is not so.
+/// The digits are those of the shortest decimal that says the number, which is what was typed or printed. Its binary value
+/// may lie a little below: 1,005 does, and is rounded to 1,01 all the same.
 pub(super) fn leading(number: f64, digits: u16) -> (i64, i32) {
     let (written, before) = shortest(number);
     rounded(&written, before, i32::from(digits))
