@@ -108,13 +108,39 @@ fn registers_are_loaded_with_the_value_itself() {
 }
 
 #[test]
-fn a_declared_curve_is_drawn_as_a_stand_in_and_said_to_be_one() {
+fn a_cubic_runs_through_three_points_in_successive_blocks() {
+    // y = x (x - 1)(x - 2), its x in units of 10 and its y in units of 1, from 0 to 30: 0, 0, 0, 6. The next one is
+    // straight, and of the last one only two points are there.
     let mut format = format();
-    format.itemized.curves = Some([("G07".to_owned(), CurveKind::Cubic)].into());
-    let tape = run(&format, &["G01X+001000F0300", "G07X+002000Y+001000", "X+003000", "G01X+004000M30"]);
-    let substitutes: Vec<bool> = tape.spans().list.iter().map(|span| span.substitute).collect();
-    assert_eq!(substitutes, [false, true, true, false]);
-    assert_eq!(ids(&tape, Severity::Info), ["FUN-09"]);
+    format.itemized.curves = Some([("G05".to_owned(), CurveKind::Cubic)].into());
+    let points = ["G05X+001000Y+000000", "X+002000", "X+003000Y+000600", "X+004000", "X+005000", "X+006000"];
+    let tape = run(&format, &[&["G01F0300"], &points[..], &["X+007000", "X+008000", "G01X+009000M30"]].concat());
+    assert_eq!(ids(&tape, Severity::Info), ["MOT-12"]);
+    let spans = &tape.spans().list;
+    let blocks: Vec<_> = spans.iter().map(|span| (span.kind.name(), span.blocks, span.substitute)).collect();
+    let expected =
+        [("curve", (1, 3), false), ("curve", (4, 6), false), ("line", (7, 8), true), ("line", (9, 9), false)];
+    assert_eq!(blocks, expected);
+    // It leaves with 30 along and 6 up for each unit of its parameter, and arrives with 30 and 33.
+    let Geometry::Curve { control } = spans[0].geometry else { panic!("a cubic") };
+    assert_eq!(control, [[10.0, 2.0, 0.0], [20.0, -5.0, 0.0]]);
+    assert_eq!(spans[0].end, [30.0, 6.0, 0.0]);
+    assert!((spans[1].length - 30.0).abs() < 1e-12);
+    assert_eq!(spans[0].seconds, Some(spans[0].length / 300.0 * 60.0));
+    // It is least at x = 10 (1 + 1/√3), where it is -2/(3√3), and greatest on the way at 10 (1 - 1/√3).
+    let (least, greatest) = spans[0].bounds();
+    assert!((least[1] + 2.0 / 27f64.sqrt()).abs() < 1e-14 && greatest[1] == 6.0, "{least:?} {greatest:?}");
+
+    // A block that cannot be read, a change of function and a parameter: each has its own fault, and the tape goes on.
+    let tape = run(&format, &["G05X+001000F0300", "X+2", "X+003000", "G05X+004000I+000100", "G01X+005000M30"]);
+    assert_eq!(ids(&tape, Severity::Warning), ["NUM-01", "MOT-12", "MOT-16"]);
+    assert_eq!(tape.spans().list.iter().map(|span| span.substitute).collect::<Vec<_>>(), [true, true, false]);
+    let tape = run(&format, &["G05X+000000F0300", "X+000000", "X+000000", "G01X+005000M30"]);
+    assert_eq!((ids(&tape, Severity::Info), tape.spans().list.len()), (vec!["MOT-18"], 1));
+    // An assigned code keeps its meaning.
+    format.itemized.curves = Some([("G03".to_owned(), CurveKind::Cubic)].into());
+    let tape = run(&format, &["G01F0300", "G03X+001000Y+001000I+000000J+001000", "M30"]);
+    assert_eq!(degrees(&tape.spans().list[0]), 90.0);
 }
 
 #[test]

@@ -1,8 +1,8 @@
 //! What holds for every text, every format and every span.
 
 use nctape::format::{
-    ArcCentre, ArcFeed, ArcParameters, Detail, Dimensions, FeedCoding, Itemized, ParabolaParameters, Places, Plane,
-    TapeCode, explain,
+    ArcCentre, ArcFeed, ArcParameters, CurveKind, Detail, Dimensions, FeedCoding, Itemized, ParabolaParameters, Places,
+    Plane, TapeCode, explain,
 };
 use nctape::span::Geometry;
 use nctape::{Format, Standard, Tape};
@@ -15,7 +15,7 @@ fn text() -> impl Strategy<Value = String> {
     let piece = prop_oneof![
         8 => select(vec![
             "N001", "n2", ":010", "G00", "G01", "G02", "G03", "G06", "G17", "G18", "G19", "G90", "G91", "G92", "G93", "G95",
-            "G04", "G33", "G81", "G37", "X+010000", "X010000", "Y-005000", "Y5", "Z+001000", "I+014142", "J-014142",
+            "G04", "G05", "G33", "G81", "G37", "X+010000", "X010000", "Y-005000", "Y5", "Z+001000", "I+014142", "J-014142",
             "K+000001", "I0", "J0", "F0300", "F0", "S615", "T01", "M02", "M03", "M30", "X99999999999999999999", "H1", "O1",
         ]).prop_map(str::to_owned),
         3 => select(vec!["\n", "\r\n", "\r", "*", "*\n", "(", ")", "%", "/", "\t", " ", ".", "+", "-"]).prop_map(str::to_owned),
@@ -76,6 +76,7 @@ fn itemized() -> impl Strategy<Value = Itemized> {
             helix,
             full_circle,
             compensation,
+            curves: Some([("G05".to_owned(), CurveKind::Cubic)].into()),
             ..Itemized::default()
         }
     })
@@ -141,7 +142,7 @@ proptest! {
         for (index, span) in spans.list.iter().enumerate() {
             prop_assert!(span.length.is_finite() && span.length >= 0.0);
             prop_assert!(span.feed.is_none_or(f64::is_finite) && span.seconds.is_none_or(f64::is_finite));
-            prop_assert!(spans.start(index) != spans.end(index) || matches!(span.geometry, Geometry::Arc(_)), "moves nothing");
+            prop_assert!(spans.start(index) != spans.end(index) || matches!(span.geometry, Geometry::Arc(_) | Geometry::Curve { .. }), "moves nothing");
             prop_assert!(span.blocks.0 <= span.blocks.1 && span.blocks.1 < tape.reading().blocks.len());
         }
         let points = tape.points(0.1);

@@ -1,7 +1,7 @@
 //! Random edits of a tape where edits are awkward: inside CR LF, `*` with a line end, words, comments and surrogate
 //! pairs; parentheses that open and close; whole stretches that go.
 
-use nctape::format::{Dimensions, Dwell, DwellUnit};
+use nctape::format::{CurveKind, Dimensions, Dwell, DwellUnit};
 use nctape::{Format, Standard, Tape};
 use std::fmt::Write;
 
@@ -65,6 +65,8 @@ const PIECES: &[&str] = &[
     "G91",
     "G90",
     "G06",
+    "G05",
+    "G05 X+001000\nX+002000 Y+001000\nX+003000\n",
     "M30",
     "M02\n",
     "M30\n%\n",
@@ -106,6 +108,9 @@ pub fn tape(blocks: usize) -> String {
             3 => format!("N{index:03} (PART {index}) G01 X+{:06} F0300*\n", index * 7),
             5 => format!("/N{index:03} Y+{:06}*", index * 3),
             7 => format!("N{index:03} G06 X+{index:06} Y+001000\nX+{:06} Y+000000\n", index + 900),
+            8 => {
+                format!("N{index:03} G05 X+{index:06} Y+001000\nX+{:06} Y+000000\nX+{:06}\n", index + 900, index + 1800)
+            }
             9 => format!("N{index:03} X{index} (\u{1F600}\n)\n"),
             _ => format!("N{index:03} G01 X+{:06} Y-{index:06} F0200\n", index * 5),
         };
@@ -122,6 +127,7 @@ pub fn formats() -> [Format; 4] {
     incremental.itemized.dimensions = Some(Dimensions::Incremental);
     let mut absolute = Format::new(Standard::Iso2539, "N3G2X+42Y+42I+42J+42F4S4T2M2*").classified("CAM 222");
     absolute.itemized.dwell = Some(Dwell { address: 'X', unit: DwellUnit::Revolutions });
+    absolute.itemized.curves = Some([("G05".to_owned(), CurveKind::Cubic)].into());
     [
         absolute,
         incremental,
@@ -204,6 +210,11 @@ pub fn edited(seed: u64, count: usize, first: &str) {
         }
         let fresh = Tape::with_skip(tape.text(), format, skip);
         assert_kept(&before, &tape);
-        assert_eq!(dump(&tape), dump(&fresh), "seed {seed}, turn {turn}, of {:?}", tape.text());
+        let (edited, fresh) = (dump(&tape), dump(&fresh));
+        // A dump is thousands of lines: the first that differs says what is wrong.
+        for (edited, fresh) in edited.lines().zip(fresh.lines()) {
+            assert_eq!(edited, fresh, "seed {seed}, turn {turn}");
+        }
+        assert_eq!(edited.len(), fresh.len(), "seed {seed}, turn {turn}");
     }
 }

@@ -97,6 +97,8 @@ pub(crate) struct SpanView {
     sweep: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     tangent: Option<Vec<f64>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    control: Option<[[f64; 3]; 2]>,
     length: f64,
     feed: Option<f64>,
     seconds: Option<f64>,
@@ -185,6 +187,7 @@ pub(crate) fn span(tape: &Tape, index: usize) -> SpanView {
         centre: None,
         sweep: None,
         tangent: None,
+        control: None,
         length: span.length,
         feed: span.feed,
         seconds: span.seconds,
@@ -203,6 +206,7 @@ pub(crate) fn span(tape: &Tape, index: usize) -> SpanView {
             view.sweep = Some(arc.sweep);
         }
         Geometry::Parabola { tangent } => view.tangent = Some(tangent.to_vec()),
+        Geometry::Curve { control } => view.control = Some(control),
     }
     view
 }

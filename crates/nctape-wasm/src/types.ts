@@ -94,7 +94,7 @@ export interface Span {
   sweep?: number;
   /** Parabola: the tangent intersection point. */
   tangent?: number[];
-  /** Curve: the control points. */
+  /** Curve: the two control points between its ends, as of a Bézier cubic. */
   control?: number[][];
   /** Of a rotary axis that moves alone, in turns or degrees; 0 of a dwell, and of nothing else. */
   length: number;

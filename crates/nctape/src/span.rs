@@ -1,6 +1,7 @@
 //! Spans: the pieces of path that blocks make (4.1).
 
 use crate::execute::Share;
+use crate::execute::cubic::Cubic;
 use crate::format::Plane;
 use std::ops::Range;
 
@@ -55,6 +56,11 @@ pub enum Geometry {
     Parabola {
         /// The tangent intersection point.
         tangent: [f64; 3],
+    },
+    /// The cubic with these control points between its ends (Bézier): X, Y, Z of each.
+    Curve {
+        /// The control points.
+        control: [[f64; 3]; 2],
     },
 }
 
@@ -203,6 +209,12 @@ impl Span {
                         let s = 1.0 - t;
                         take(axis, s * s * start + 2.0 * s * t * tangent + t * t * end);
                     }
+                }
+            }
+            Geometry::Curve { control } => {
+                let curve = Cubic { start: self.start, control, end: self.end };
+                for axis in 0..3 {
+                    curve.turns(axis).for_each(|t| take(axis, curve.point(t)[axis]));
                 }
             }
         }

@@ -1,7 +1,7 @@
 //! Arcs as blocks say them: in one block by interpolation parameters, or in two by an intermediate point (4.2.2).
 
 use super::circle::{ArcBlock, ArcFault, Lack, tolerance};
-use super::event::{Event, EventKind};
+use super::event::{Event, EventKind, Several};
 use super::state::{Pending, State};
 use crate::format::{Angles, ArcCentre, ArcParameters, power_of_ten};
 use crate::span::{Arc, Geometry, SpanKind};
@@ -202,7 +202,8 @@ impl State<'_> {
         let Some(pending) = self.pending.take() else {
             let [first, second, _] = self.plane.axes();
             let doubtful = self.is_doubtful([first, second]);
-            self.pending = Some(Pending { block: self.block, start: self.position, parabola: false, doubtful });
+            let (block, start, several) = (self.block, self.position, Several::Arc);
+            self.pending = Some(Pending { block, last: block, start, middle: None, several, doubtful });
             return;
         };
         let start = pending.start;

@@ -1,5 +1,6 @@
 //! Spans with their length, feed and time.
 
+use super::cubic::Cubic;
 use super::event::{Event, EventKind};
 use super::feed::Feed;
 use super::parabola::{Parabola, norm, subtract};
@@ -48,6 +49,7 @@ impl State<'_> {
                 libm::hypot(arc.length_in_plane(), to[third] - from[third])
             }
             Geometry::Parabola { tangent } => Parabola { start: from, tangent, end: to }.length(),
+            Geometry::Curve { control } => Cubic { start: from, control, end: to }.length(),
         };
         if kind == SpanKind::Parabola && matches!(self.feed, Feed::Reciprocal(_)) {
             self.events.push(Event { block: blocks.0, kind: EventKind::ReciprocalParabola });

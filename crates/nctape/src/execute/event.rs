@@ -11,6 +11,17 @@ pub(crate) struct Event {
     pub kind: EventKind,
 }
 
+/// A span of several blocks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Several {
+    /// An arc in two blocks.
+    Arc,
+    /// A parabola in two blocks.
+    Parabola,
+    /// A cubic in three blocks.
+    Curve,
+}
+
 /// What was noted.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum EventKind {
@@ -37,7 +48,7 @@ pub(crate) enum EventKind {
     /// An arc that ends where it starts, while it is not stated what that means.
     FullCircle,
     /// A span of several blocks lacks its last ones.
-    Unfinished { parabola: bool },
+    Unfinished(Several),
     /// Three points of an arc coincide or lie on a line.
     OnALine,
     /// A three-point arc runs the other way than its G code says.

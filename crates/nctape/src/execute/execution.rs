@@ -90,6 +90,10 @@ impl Execution {
         let met = met.unwrap_or(self.marks.len());
         for mark in &mut self.marks[met..] {
             mark.block = mark.block.wrapping_add(shift);
+            if let Some(pending) = &mut mark.carried.pending {
+                pending.block = pending.block.wrapping_add(shift);
+                pending.last = pending.last.wrapping_add(shift);
+            }
             mark.lengths = mark.lengths.moved(end, moved);
         }
         let added_marks = marks.len();

@@ -6,6 +6,8 @@
 mod arc_block;
 pub(crate) mod circle;
 mod course;
+pub(crate) mod cubic;
+mod curve_block;
 mod dwell;
 mod emit;
 mod event;
@@ -25,7 +27,7 @@ mod walk;
 
 pub(crate) use circle::{ArcFault, Lack};
 pub use course::{Course, Step, Stop};
-pub(crate) use event::{Event, EventKind};
+pub(crate) use event::{Event, EventKind, Several};
 pub(crate) use execution::execute;
 pub use execution::{Execution, Kept};
 pub(crate) use parabola::ParabolaFault;

@@ -33,10 +33,7 @@ impl State<'_> {
             Motion::Circle { clockwise } => self.arc_point(clockwise),
             Motion::Parabola if parametric => self.parabola(),
             Motion::Parabola => self.parabola_point(),
-            Motion::Curve => {
-                let start = self.position;
-                self.substitute(&start, self.block);
-            }
+            Motion::Curve { code } => self.curve_point(code),
         }
         self.position = self.target;
     }
@@ -45,12 +42,11 @@ impl State<'_> {
     pub(crate) fn finish_span(&mut self) {
         let Some(pending) = self.pending.take() else { return };
         if !pending.doubtful {
-            let kind = EventKind::Unfinished { parabola: pending.parabola };
-            self.events.push(Event { block: pending.block, kind });
+            self.events.push(Event { block: pending.block, kind: EventKind::Unfinished(pending.several) });
         }
         let target = std::mem::replace(&mut self.target, self.position);
         let block = self.block;
-        self.block = pending.block;
+        self.block = pending.last;
         self.substitute(&pending.start, pending.block);
         self.block = block;
         self.target = target;

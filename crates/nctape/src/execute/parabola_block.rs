@@ -1,7 +1,7 @@
 //! Parabolas as blocks say them: in one block by tangent intersection point, slopes or focus, or in two by an
 //! intermediate point (4.2.3).
 
-use super::event::{Event, EventKind};
+use super::event::{Event, EventKind, Several};
 use super::parabola::{Parabola, ParabolaFault};
 use super::state::{Pending, State};
 use crate::format::{ArcCentre, ParabolaParameters};
@@ -66,7 +66,8 @@ impl State<'_> {
     pub(super) fn parabola_point(&mut self) {
         let Some(pending) = self.pending.take() else {
             let doubtful = self.is_doubtful(0..self.target.len());
-            self.pending = Some(Pending { block: self.block, start: self.position, parabola: true, doubtful });
+            let (block, start, several) = (self.block, self.position, Several::Parabola);
+            self.pending = Some(Pending { block, last: block, start, middle: None, several, doubtful });
             return;
         };
         let start = pending.start;

@@ -1,7 +1,7 @@
 //! What the control holds from block to block: modal functions, position, feed.
 
 use super::dwell::Pause;
-use super::event::{Event, EventKind};
+use super::event::{Event, EventKind, Several};
 use super::feed::{self, CodeFault, Feed};
 use super::is_carried_out;
 use super::mark::Carried;
@@ -25,16 +25,21 @@ pub(crate) enum Motion {
     /// G06.
     Parabola,
     /// A G code that the itemized data declares as a curve of higher order.
-    Curve,
+    Curve { code: u8 },
 }
 
-/// A point of a span whose last block is still to come.
+/// The points of a span whose last block is still to come; the tool stands on the last one.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Pending {
+    /// The first block.
     pub block: usize,
+    /// The block of the last point.
+    pub last: usize,
     pub start: Position,
-    pub parabola: bool,
-    /// A word of the block could not be read, or its start is a guess.
+    /// The first point, where it is not the last.
+    pub middle: Option<Position>,
+    pub several: Several,
+    /// A word of a block could not be read, or the start is a guess.
     pub doubtful: bool,
 }
 
@@ -301,11 +306,13 @@ impl<'a> State<'a> {
 
     /// A function that only the itemized data gives a meaning.
     fn take_declared(&mut self, code: u8) {
+        if self.control.is_curve(code) {
+            self.set_motion(Motion::Curve { code });
+            return;
+        }
         let stated = &self.control.format.itemized;
         let name = format!("G{code:02}");
-        if stated.curves.as_ref().is_some_and(|curves| curves.contains_key(&name)) {
-            self.set_motion(Motion::Curve);
-        } else if stated.declared.as_ref().is_none_or(|declared| !declared.g.contains_key(&name)) {
+        if stated.declared.as_ref().is_none_or(|declared| !declared.g.contains_key(&name)) {
             self.lost_function = true;
             return;
         }

@@ -3,8 +3,10 @@
 //! Every span gives its start, points on the curve, and its end: the last point is the programmed one bit for bit.
 
 mod arc;
+mod cubic;
 mod parabola;
 
+use crate::execute::cubic::Cubic;
 use crate::span::{Geometry, Span};
 use std::ops::Range;
 
@@ -48,6 +50,9 @@ fn flatten_span(span: &Span, tolerance: f64, most: usize, give: &mut impl FnMut(
         Geometry::Arc(arc) => arc::inner_points(&arc, span.start, span.end, tolerance, most, give),
         Geometry::Parabola { tangent } => {
             parabola::inner_points(span.start, tangent, span.end, tolerance, most, give);
+        }
+        Geometry::Curve { control } => {
+            cubic::inner_points(&Cubic { start: span.start, control, end: span.end }, tolerance, most, give);
         }
     }
     give(span.end);

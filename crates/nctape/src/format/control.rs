@@ -5,6 +5,7 @@ use super::{
     Format, ParabolaParameters, Plane, SetPoint, Sign, Standard, System, Unit,
 };
 use crate::code::{Code, EndOfBlock};
+use crate::function::{Preparatory, preparatory};
 use crate::speed::method_of_digits;
 
 /// An axis of the report: X, Y and Z first, then the other dimension words of the detail.
@@ -64,6 +65,8 @@ pub struct Control {
     /// The travel of every axis, where it is stated: least and greatest position in the unit of the format.
     pub travel: Vec<Option<(f64, f64)>>,
     simultaneous: Option<u8>,
+    /// The G codes under which a curve of higher order runs, bit by bit.
+    curves: u128,
     designation_of: [u8; 128],
     axis_of: [u8; 128],
 }
@@ -118,6 +121,12 @@ impl Control {
             time_scale: stated.time_scale.map_or(1.0, |scale| f64::from(scale.0)),
             travel: axes.iter().map(|axis| stated.travel.as_ref()?.get(&axis.letter.to_string()).copied()).collect(),
             simultaneous: digits.map(|digits| digits[2]),
+            curves: stated
+                .curves
+                .iter()
+                .flat_map(|curves| curves.keys())
+                .filter_map(|name| curve_code(name))
+                .fold(0, |codes, code| codes | 1 << code),
             format: format.clone(),
             classification,
             detail,
@@ -144,6 +153,11 @@ impl Control {
         (index != NONE).then_some(usize::from(index))
     }
 
+    /// A curve of higher order runs under this G code.
+    pub(crate) fn is_curve(&self, code: u8) -> bool {
+        code < 100 && self.curves >> code & 1 != 0
+    }
+
     /// Motions that the control carries out at once: the third digit of the classification.
     pub fn simultaneous(&self) -> Option<u8> {
         self.simultaneous
@@ -153,6 +167,13 @@ impl Control {
     pub fn angles(&self) -> Angles {
         self.classification.as_ref().and_then(Classification::angles).unwrap_or(Angles::Degrees)
     }
+}
+
+/// The number of a code such as G05, to which ISO 1056 gives no meaning: an assigned one keeps its own.
+fn curve_code(name: &str) -> Option<u8> {
+    let digits = name.strip_prefix('G').filter(|digits| digits.len() == 2)?;
+    let code: u8 = digits.bytes().all(|digit| digit.is_ascii_digit()).then(|| digits.parse().ok())??;
+    (!matches!(preparatory(code), Preparatory::Assigned(..))).then_some(code)
 }
 
 /// Ten to the power of a count of decimal places. Exact: 10^18 is the last power below 2^63, and what

@@ -1,6 +1,6 @@
 //! MOT-07: an arc in two blocks lacks its second one.
 
-use crate::execute::{Event, EventKind};
+use crate::execute::{Event, EventKind, Several};
 use crate::rules::prelude::*;
 
 /// The rule.
@@ -13,7 +13,7 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(event: &Event, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    let EventKind::Unfinished { parabola: false } = event.kind else { return };
+    let EventKind::Unfinished(Several::Arc) = event.kind else { return };
     sink.report(
         &RULE,
         tape.extent(event.block),
