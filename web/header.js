@@ -13,9 +13,10 @@ import { severityMark, SEVERITY_WORD } from './severity.js';
  * @param {(preset: Preset) => void} parts.choose
  * @param {() => import('./own-tape.js').Whole} parts.current
  * @param {(tape: import('./own-tape.js').Whole) => void} parts.load
+ * @param {import('./own-tape.js').Whole | null} parts.own  the visitor's tape of an earlier visit
  */
-export function makeHeader({ store, engine, presets, choose, current, load }) {
-  const picker = makePicker({ presets, choose, current, load });
+export function makeHeader({ store, engine, presets, choose, current, load, own }) {
+  const picker = makePicker({ presets, choose, current, load, own });
 
   const line = byId('format-text', HTMLElement);
   const flag = byId('format-flag', HTMLElement);

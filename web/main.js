@@ -3,6 +3,7 @@ import { byId } from './dom.js';
 import { Engine } from './engine.js';
 import { clearNotice, notice } from './notice.js';
 import { makePlayground } from './playground.js';
+import { begin } from './start.js';
 import { Store } from './store.js';
 import { startTheme } from './theme.js';
 
@@ -64,7 +65,9 @@ async function start() {
     engine.fact('version'),
   ]);
   byId('version', HTMLElement).textContent = `Version ${version.package}`;
-  playground = makePlayground({ store, engine, kinds, presets: presets.filter(({ kind }) => kind === 'tape') });
+  const tapes = presets.filter(({ kind }) => kind === 'tape');
+  const beginning = await begin(tapes);
+  playground = makePlayground({ store, engine, kinds, presets: tapes, beginning });
 }
 
 void start();

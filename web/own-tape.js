@@ -6,7 +6,7 @@ import { byId, el } from './dom.js';
 
 const OWN = '';
 const EMPTY = 'empty';
-const ABOUT_OWN = 'Your own tape. While you look at an example it is kept here, until the page is closed.';
+const ABOUT_OWN = 'Your own tape. This browser keeps it, also while you look at an example.';
 
 /**
  * @param {object} parts
@@ -14,8 +14,9 @@ const ABOUT_OWN = 'Your own tape. While you look at an example it is kept here, 
  * @param {(preset: Preset) => void} parts.choose
  * @param {() => Whole} parts.current
  * @param {(tape: Whole) => void} parts.load
+ * @param {Whole | null} parts.own  the visitor's tape of an earlier visit
  */
-export function makePicker({ presets, choose, current, load }) {
+export function makePicker({ presets, choose, current, load, own: earlier }) {
   const picker = byId('preset', HTMLSelectElement);
   const about = byId('about-tape', HTMLElement);
   const opener = byId('about-button', HTMLElement);
@@ -26,7 +27,7 @@ export function makePicker({ presets, choose, current, load }) {
     el('option', { value: EMPTY }, 'Empty tape'),
   );
   /** What was written before an example was opened. @type {Whole | null} */
-  let kept = null;
+  let kept = earlier;
   /** The example that the text is; OWN if it is none. */
   let open = OWN;
 
@@ -57,6 +58,12 @@ export function makePicker({ presets, choose, current, load }) {
 
   return {
     keep,
+    /** What is to be kept of this visit. @returns {import('./share/drafts.js').Draft} */
+    draft() {
+      const tape = open === OWN ? current() : null;
+      const own = tape !== null && tape.source.trim() !== '' ? tape : kept;
+      return { own, example: open === OWN ? null : open };
+    },
     /**
      * Shows which example the text is, if it is one.
      * @param {(source: string) => boolean} is

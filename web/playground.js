@@ -1,5 +1,5 @@
 // Makes the views and ties them to one tape: what one of them is told, all of them show.
-import { byId } from './dom.js';
+import { byId, whenQuiet } from './dom.js';
 import { makeDecimals } from './decimals.js';
 import { changeFormat, currentFormat, insertTab, keepFormat, makeEditor, movedBy, moveCursor, replaceAll, tryFormat } from './editor/editor.js';
 import { light } from './editor/lit.js';
@@ -18,8 +18,10 @@ import { makeRegisters } from './replay/registers.js';
 import { makeReplay } from './replay/replay.js';
 import { makeTimeline } from './replay/timeline.js';
 import { makeRulePage } from './rule-page.js';
+import { makeShareButton } from './share/button.js';
 import { makeSkip } from './skip.js';
 import { makeName } from './strip/name.js';
+import { followAddress } from './start.js';
 import { makeStrip } from './strip/strip.js';
 import { makeThemeButton } from './theme.js';
 import { makeTotals } from './totals.js';
@@ -28,15 +30,19 @@ import { makeTotals } from './totals.js';
 /** @typedef {import('@codemirror/view').ViewUpdate} ViewUpdate */
 /** @typedef {{ current: () => import('./engine.js').Current, changed: (change: import('./engine.js').Change) => void }} Playground */
 
+/** A draft is kept when the typing pauses for so many milliseconds. */
+const DRAFT = 800;
+
 /**
  * @param {object} parts
  * @param {import('./store.js').Store} parts.store
  * @param {import('./engine.js').Engine} parts.engine
  * @param {string[]} parts.kinds
  * @param {Preset[]} parts.presets
+ * @param {import('./start.js').Beginning} parts.beginning
  * @returns {Playground}
  */
-export function makePlayground({ store, engine, kinds, presets }) {
+export function makePlayground({ store, engine, kinds, presets, beginning }) {
   const layout = makeLayout();
   const rulePage = makeRulePage({
     engine,
@@ -48,7 +54,7 @@ export function makePlayground({ store, engine, kinds, presets }) {
       editor.focus();
     },
   });
-  const [first] = presets;
+  const first = beginning.tape ?? presets[0];
   store.set({ format: first.format });
 
   /** @type {import('./problem-card.js').Deeds} */
@@ -91,6 +97,14 @@ export function makePlayground({ store, engine, kinds, presets }) {
       replaceAll(editor, tape);
       editor.focus();
     },
+    own: beginning.own,
+  });
+  const keepDraft = whenQuiet(() => beginning.drafts.keep(header.draft()), DRAFT);
+  window.addEventListener('pagehide', () => beginning.drafts.keep(header.draft()));
+  makeShareButton(whole);
+  followAddress((tape) => {
+    header.keep();
+    replaceAll(editor, tape);
   });
   makeThemeButton(store);
   makeLearn(engine);
@@ -164,6 +178,7 @@ export function makePlayground({ store, engine, kinds, presets }) {
     });
     problems.move(changes);
     header.name((source) => source.length === state.doc.length && source === state.doc.toString());
+    keepDraft();
   }
 
   /** The tape as it stands, with all that opens it again. */

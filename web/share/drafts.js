@@ -1,0 +1,94 @@
+// What was written last, kept on this machine so that a reload or a closed window loses nothing.
+//
+// Each window keeps its own, under a name that it holds while it is open: two windows never write over one another.
+import { forget, names, recall, remember } from '../storage.js';
+import { wholeOf } from './whole.js';
+
+/** @typedef {import('./whole.js').Whole} Whole */
+/** @typedef {{ own: Whole | null, example: string | null }} Draft  the visitor's tape, and the example that was open in its place */
+
+const PREFIX = 'draft.';
+/** Drafts of windows that were closed. */
+const MOST_KEPT = 5;
+/** Characters: a browser keeps some five million for all of a site. */
+const MOST_CHARACTERS = 500_000;
+
+export class Drafts {
+  /** @param {(words: string) => void} say  once, where drafts cannot be kept */
+  constructor(say) {
+    this.say = say;
+    this.said = false;
+    this.name = '';
+  }
+
+  /** What this window kept before it was loaded anew, and what another one left behind. */
+  async open() {
+    this.name = await nameOfWindow();
+    const all = names(PREFIX).map((name) => ({ name, draft: read(name) }));
+    const mine = all.find(({ name }) => name === PREFIX + this.name)?.draft ?? null;
+    const others = all.filter(({ name }) => name !== PREFIX + this.name).sort((a, b) => (b.draft?.time ?? 0) - (a.draft?.time ?? 0));
+    for (const { name } of others.slice(MOST_KEPT)) forget(name);
+    return { mine, last: others.find(({ draft }) => draft !== null && draft.own !== null)?.draft ?? null };
+  }
+
+  /** @param {Draft} draft */
+  keep({ own, example }) {
+    if (own === null && example === null) {
+      forget(PREFIX + this.name);
+      return;
+    }
+    const isLong = own !== null && own.source.length > MOST_CHARACTERS;
+    const kept = !isLong && remember(PREFIX + this.name, JSON.stringify({ own, example, time: Date.now() }));
+    if (kept || this.said) return;
+    this.said = true;
+    this.say(
+      isLong
+        ? 'This tape is too long to be kept by the browser: save its listing before you close the page.'
+        : 'The browser keeps nothing for this page: save the listing before you close it.',
+    );
+  }
+}
+
+/**
+ * @param {string} name
+ * @returns {(Draft & { time: number }) | null}
+ */
+function read(name) {
+  try {
+    const { own, example, time } = JSON.parse(recall(name) ?? 'null');
+    return { own: wholeOf(own), example: typeof example === 'string' ? example : null, time: Number(time) || 0 };
+  } catch {
+    return null;
+  }
+}
+
+/** The name that this window had before it was loaded anew, unless a copy of the window holds it; else a new one. */
+async function nameOfWindow() {
+  const made = Math.random().toString(36).slice(2, 10);
+  let name = made;
+  try {
+    name = sessionStorage.getItem('nctape.window') ?? made;
+    if (!(await hold(name))) name = made;
+    if (name === made) await hold(name);
+    sessionStorage.setItem('nctape.window', name);
+  } catch {
+    // No storage here: there is no draft either.
+  }
+  return name;
+}
+
+/**
+ * Holds a name until the window is closed; false where another window holds it.
+ * @param {string} name
+ * @returns {Promise<boolean>}
+ */
+function hold(name) {
+  // Not to be had where the page is opened as a file.
+  if (!navigator.locks) return Promise.resolve(true);
+  return new Promise((resolve) => {
+    void navigator.locks.request(`nctape.window.${name}`, { ifAvailable: true }, (lock) => {
+      resolve(lock !== null);
+      return lock === null ? undefined : new Promise(() => {});
+    });
+  });
+}

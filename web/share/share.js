@@ -1,0 +1,65 @@
+// The menu that makes a link of the tape.
+import { button, byId, el } from '../dom.js';
+import { whole as figure } from '../words.js';
+import { linkOf, MOST_CHARACTERS } from './link.js';
+
+/** @typedef {import('./whole.js').Whole} Whole */
+
+/**
+ * @param {() => Whole} current
+ */
+export function makeShare(current) {
+  const menu = byId('share-menu', HTMLElement);
+  const opener = byId('share-button', HTMLElement);
+  const link = el('input', { class: 'share-link', type: 'text', readonly: true, 'aria-label': 'Link to this tape', id: 'share-link' });
+  const said = el('p', { class: 'menu-note', role: 'status', id: 'share-said' });
+  const copy = button('menu-item', 'Copy the link', () => void put(link.value, 'The link is copied.'), { id: 'copy-link' });
+  const markdown = button('menu-item', 'Copy it as Markdown', () => void put(`[NC tape](${link.value})`, 'Copied as Markdown.'), { id: 'copy-markdown' });
+  const file = button('menu-item', 'Save the listing instead', () => {
+    show(false);
+    byId('save-listing', HTMLElement).click();
+  });
+  // From its end to its start, which is what is seen of it.
+  link.addEventListener('focus', () => link.setSelectionRange(0, link.value.length, 'backward'));
+
+  /** @param {string} text @param {string} words */
+  async function put(text, words) {
+    try {
+      await navigator.clipboard.writeText(text);
+      said.textContent = words;
+    } catch {
+      // A browser may forbid it, as in a frame: the link can still be taken by hand.
+      link.focus();
+      said.textContent = 'The browser does not let the page copy. The link is selected: copy it by hand.';
+    }
+  }
+
+  async function tell() {
+    const address = new URL(await linkOf(current()), location.href).href;
+    const tooLong = address.length > MOST_CHARACTERS;
+    link.value = tooLong ? '' : address;
+    said.textContent = tooLong
+      ? `As a link this tape would have ${figure(address.length)} characters. Mail, chat and course systems cut links beyond some ${figure(MOST_CHARACTERS)}, so that nothing of it would open. Send its listing as a file.`
+      : 'The program and its format are in the link itself, behind the #. No server gets to see them.';
+    menu.replaceChildren(el('h2', { class: 'menu-first' }, 'Share this tape'), ...(tooLong ? [said, file] : [link, copy, markdown, said]));
+  }
+
+  /** @param {boolean} open */
+  async function show(open) {
+    if (open) await tell();
+    menu.hidden = !open;
+    opener.setAttribute('aria-expanded', String(open));
+    if (open) /** @type {HTMLElement | null} */ (menu.querySelector('input, button'))?.focus();
+    else if (menu.contains(document.activeElement)) opener.focus();
+  }
+  menu.addEventListener('keydown', (event) => {
+    if (event.key !== 'Escape') return;
+    event.stopPropagation();
+    opener.focus();
+    void show(false);
+  });
+  window.addEventListener('pointerdown', ({ target }) => {
+    if (target instanceof Node && !menu.contains(target) && !opener.contains(target) && !menu.hidden) void show(false);
+  });
+  return { toggle: () => show(menu.hidden === true) };
+}

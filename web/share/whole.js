@@ -1,0 +1,19 @@
+// A tape with all that opens it, as it comes from a link or from what the browser keeps: nothing of it is believed.
+
+/** @typedef {{ source: string, format: import('nctape').Format, cursor: number }} Whole */
+
+/** Characters of a text that is taken from there: a hundred times what the longest link is made of here. */
+export const MOST_TEXT = 800_000;
+
+/**
+ * What was read, if it is a tape; nothing of it is taken but what belongs to one.
+ * @param {any} found
+ * @returns {Whole | null}
+ */
+export function wholeOf(found) {
+  if (typeof found !== 'object' || found === null) return null;
+  const { source, format, cursor } = found;
+  if (typeof source !== 'string' || source.length > MOST_TEXT) return null;
+  if (typeof format !== 'object' || format === null || typeof format.standard !== 'string' || typeof format.detail !== 'string') return null;
+  return { source, format, cursor: Number.isInteger(cursor) && cursor >= 0 ? cursor : 0 };
+}
