@@ -1,6 +1,6 @@
 //! What the control holds behind a block, and how the tape passes through it: worked out by hand from the tapes.
 
-use nctape::format::{Dimensions, FeedCoding, FeedUnit, Format, Itemized, Plane, Standard};
+use nctape::format::{Declared, Dimensions, FeedCoding, FeedUnit, Format, Itemized, Plane, Standard};
 use nctape::{Fate, Registers, Stop, Tape, Turning, presets};
 
 fn preset(id: &str) -> Tape {
@@ -271,4 +271,26 @@ fn no_time_is_beyond_counting() {
     let source = "%\nN001G01X+001000F0300\nN002M05\n".repeat(200);
     let course = Tape::new(&source, &format).course();
     assert!(course.steps.iter().map(|step| step.seconds).sum::<f64>().is_finite());
+}
+
+#[test]
+fn functions_say_their_group_and_when_they_act() {
+    let mut format = milling();
+    let m = [("M06".to_owned(), "after the motion".to_owned())].into_iter().collect();
+    format.itemized.declared = Some(Declared { m, ..Declared::default() });
+    let tape = tape(&format, &["G01G43M05", "T01M06", "M48"]);
+    let first = behind(&tape, "N001");
+    let named = |function: &nctape::Named| (function.code.clone(), function.group, function.acts.clone());
+    let stays = "until another function of its group";
+    let motion = first.modal[0].function.as_ref().unwrap();
+    assert_eq!(named(motion), ("G01".to_owned(), "Motion", stays.to_owned()));
+    let after = format!("after the motion of the block, {stays}");
+    assert_eq!(named(&first.once[0]), ("M05".to_owned(), "Spindle", after.clone()));
+    // What the table leaves open is what the builder declares.
+    let change = behind(&tape, "N002").once;
+    assert_eq!(named(&change[0]), ("M06".to_owned(), "Tool", "after the motion".to_owned()));
+    let offset = first.modal.iter().find_map(|modal| modal.function.as_ref().filter(|it| it.code == "G43"));
+    assert!(offset.unwrap().conflict.unwrap().contains("RS-274-D"));
+    assert!(behind(&tape, "N003").once[0].conflict.is_some(), "the sources differ on M48");
+    assert_eq!(behind(&tape, "N003").once[0].acts, after);
 }

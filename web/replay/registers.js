@@ -16,6 +16,7 @@ import { wayAlong } from './way.js';
  * @property {string} code
  * @property {string} says
  * @property {boolean} [quiet]  the tape has not said so
+ * @property {string[]} [more]  what does not fit into the line: when the functions act, and what other sources say of them
  */
 
 /** @param {Store} store */
@@ -47,15 +48,15 @@ export function makeRegisters(store) {
     });
     const all = linesOf(store.state, held);
     fill(lines, all.length);
-    all.forEach(({ name, code, says, quiet }, index) => {
+    all.forEach(({ name, code, says, quiet, more = [] }, index) => {
       const [heading, cell] = cells(lines, index);
       const at = 2 * (position.length + index) + 1;
       write(heading, at, name);
-      const words = `${code}\n${says}\n${quiet}`;
+      const words = [code, says, quiet, ...more].join('\n');
       if (written[at + 1] === words) return;
       written[at + 1] = words;
       cell.replaceChildren(el('span', { class: quiet ? 'code quiet-code' : 'code' }, code), ' ', says);
-      cell.title = [code, says].filter(Boolean).join(' ');
+      cell.title = [[code, says].filter(Boolean).join(' '), ...more].join('\n');
     });
   }
 
@@ -148,8 +149,8 @@ function linesOf({ here, summary }, held) {
   const unit = summary?.unit ?? 'mm';
   const span = here?.block?.index === held.block ? here.span : null;
   const along = span === null ? (held.feed?.perMinute ?? null) : span.feed;
-  /** @param {{ code: string, meaning: string } | null} named */
-  const named = (named) => ({ code: named?.code ?? '–', says: named?.meaning ?? '' });
+  /** @param {import('nctape').NamedFunction | null} named */
+  const named = (named) => ({ code: named?.code ?? '–', says: named?.meaning ?? '', more: named === null ? [] : acting([named]) });
   return [
     { name: 'Feed', code: held.feed?.word ?? '–', says: along === null ? '' : feed(along, unit) },
     { name: 'Speed', code: held.speed?.word ?? '–', says: held.speed?.perMinute == null ? '' : `${Math.round(held.speed.perMinute * 10) / 10} rev/min` },
@@ -157,7 +158,14 @@ function linesOf({ here, summary }, held) {
     { name: 'Coolant', ...named(held.coolant) },
     { name: 'Tool', code: held.tool?.word ?? '–', says: held.tool === null ? '' : held.tool.change === null ? 'not changed yet' : `${held.tool.change.code} ${held.tool.change.meaning}` },
     ...held.others.map(({ address, word }) => ({ name: address, code: word ?? '–', says: '' })),
-    ...held.modal.map(({ group, code, meaning, stated }) => ({ name: group, code: code === null ? '–' : stated ? code : `(${code})`, says: meaning, quiet: !stated })),
-    { name: 'This block', code: held.once.map(({ code }) => code).join(' ') || '–', says: held.once.length === 1 ? held.once[0].meaning : '' },
+    ...held.modal.map(({ group, code, meaning, acts, conflict, stated }) => ({ name: group, code: code === null ? '–' : stated ? code : `(${code})`, says: meaning, quiet: !stated, more: acting([{ code: code ?? '', acts, conflict }]) })),
+    { name: 'This block', code: held.once.map(({ code }) => code).join(' ') || '–', says: held.once.length === 1 ? held.once[0].meaning : '', more: acting(held.once) },
   ];
 }
+
+/**
+ * "M05 acts after the motion of the block, until another function of its group."
+ * @param {Pick<import('nctape').NamedFunction, 'code' | 'acts' | 'conflict'>[]} functions
+ */
+const acting = (functions) =>
+  functions.flatMap(({ code, acts, conflict }) => [acts === '' ? '' : `${code} acts ${acts}.`, conflict ?? '']).filter(Boolean);

@@ -31,6 +31,9 @@ struct RegistersView {
 struct NamedView {
     code: String,
     meaning: String,
+    group: &'static str,
+    acts: String,
+    conflict: Option<&'static str>,
 }
 
 #[derive(Serialize)]
@@ -38,6 +41,8 @@ struct ModalView {
     group: &'static str,
     code: Option<String>,
     meaning: String,
+    acts: String,
+    conflict: Option<&'static str>,
     stated: bool,
 }
 
@@ -57,15 +62,15 @@ struct DwellView {
 #[derive(Serialize)]
 struct SpindleView {
     turns: &'static str,
-    code: String,
-    meaning: String,
+    #[serde(flatten)]
+    function: NamedView,
 }
 
 #[derive(Serialize)]
 struct CoolantView {
     on: bool,
-    code: String,
-    meaning: String,
+    #[serde(flatten)]
+    function: NamedView,
 }
 
 #[derive(Serialize)]
@@ -80,13 +85,14 @@ struct ToolView {
     change: Option<NamedView>,
 }
 
-fn named(Named { code, meaning }: Named) -> NamedView {
-    NamedView { code, meaning }
+fn named(Named { code, meaning, group, acts, conflict }: Named) -> NamedView {
+    NamedView { code, meaning, group, acts, conflict }
 }
 
 fn modal(Modal { group, function, stated }: Modal) -> ModalView {
-    let (code, meaning) = function.map_or((None, String::new()), |named| (Some(named.code), named.meaning));
-    ModalView { group: group.title(), code, meaning, stated }
+    let code = function.as_ref().map(|named| named.code.clone());
+    let (meaning, acts, conflict) = function.map_or_else(Default::default, |it| (it.meaning, it.acts, it.conflict));
+    ModalView { group: group.title(), code, meaning, acts, conflict, stated }
 }
 
 fn rate(Rate { word, per_minute }: Rate) -> RateView {
@@ -107,12 +113,10 @@ fn view(block: usize, held: Registers) -> RegistersView {
         doubtful: held.doubtful,
         feed: held.feed.map(rate),
         speed: held.speed.map(rate),
-        spindle: held.spindle.map(|(turning, Named { code, meaning })| SpindleView {
-            turns: turning.name(),
-            code,
-            meaning,
-        }),
-        coolant: held.coolant.map(|(on, Named { code, meaning })| CoolantView { on, code, meaning }),
+        spindle: held
+            .spindle
+            .map(|(turning, function)| SpindleView { turns: turning.name(), function: named(function) }),
+        coolant: held.coolant.map(|(on, function)| CoolantView { on, function: named(function) }),
         others: held.others.into_iter().map(|(address, word)| OtherView { address, word }).collect(),
         tool: held.tool.map(|(word, change)| ToolView { word, change: change.map(named) }),
     }

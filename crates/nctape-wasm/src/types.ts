@@ -334,7 +334,18 @@ export interface PathChange extends Path {
 }
 
 /** A function with its meaning: "G02", "M30". */
-export interface NamedFunction { code: string; meaning: string }
+export interface NamedFunction {
+  code: string;
+  meaning: string;
+  /** What its group is about; empty where it has none. */
+  group: string;
+  /** When it begins to act and how long it does; empty where nothing says so. */
+  acts: string;
+  /** What other sources say of it, where they differ. */
+  conflict: string | null;
+}
+/** An entry of the tables of G and M (ISO 1056). */
+export interface FunctionEntry extends NamedFunction { state: "assigned" | "unassigned" | "permanently unassigned" }
 
 /** What the control holds behind a block. */
 export interface Registers {
@@ -345,7 +356,7 @@ export interface Registers {
   program: string | null;
   sequence: string | null;
   /** The preparatory functions in force; not `stated`: the control starts with it. */
-  modal: { group: string; code: string | null; meaning: string; stated: boolean }[];
+  modal: { group: string; code: string | null; meaning: string; acts: string; conflict: string | null; stated: boolean }[];
   /** What acts in this block alone. */
   once: NamedFunction[];
   /** The function of the block that makes the control wait behind it. */

@@ -4,6 +4,7 @@ use crate::argument::{self, malformed};
 use crate::offsets::Offsets;
 use crate::value::{Plain, to_js};
 use nctape::format::Itemized;
+use nctape::function;
 use nctape::span::SpanKind;
 use nctape::{Standard, presets as core_presets, rules as core_rules};
 use serde::Serialize;
@@ -174,4 +175,47 @@ pub fn code_table(
         })
         .collect();
     Ok(to_js(&rows))
+}
+
+#[derive(Serialize)]
+struct FunctionView {
+    code: String,
+    state: &'static str,
+    meaning: &'static str,
+    group: &'static str,
+    acts: String,
+    conflict: Option<&'static str>,
+}
+
+/// The tables of preparatory and miscellaneous functions: G00 to G99, M00 to M99.
+#[wasm_bindgen(unchecked_return_type = "FunctionEntry[]")]
+pub fn functions() -> JsValue {
+    use function::{Miscellaneous, Preparatory, miscellaneous, preparatory};
+    const UNASSIGNED: (&str, &str, &str, String) = ("unassigned", "", "", String::new());
+    const PERMANENTLY: (&str, &str, &str, String) = ("permanently unassigned", "", "", String::new());
+    let view = |letter: char, code: u8, found: (&'static str, &'static str, &'static str, String), conflict| {
+        let (state, meaning, group, acts) = found;
+        FunctionView { code: format!("{letter}{code:02}"), state, meaning, group, acts, conflict }
+    };
+    let preparatory_ones = (0..=99).map(|code| {
+        let found = match preparatory(code) {
+            Preparatory::Assigned(group, meaning) => {
+                ("assigned", meaning, group.title(), group.hold().words().to_owned())
+            }
+            Preparatory::Unassigned => UNASSIGNED,
+            Preparatory::PermanentlyUnassigned => PERMANENTLY,
+        };
+        view('G', code, found, function::preparatory_conflict(code))
+    });
+    let miscellaneous_ones = (0..=99).map(|code| {
+        let found = match miscellaneous(code) {
+            Miscellaneous::Assigned(matter, start, hold, meaning) => {
+                ("assigned", meaning, matter.title(), format!("{}, {}", start.words(), hold.words()))
+            }
+            Miscellaneous::Unassigned => UNASSIGNED,
+            Miscellaneous::PermanentlyUnassigned => PERMANENTLY,
+        };
+        view('M', code, found, function::miscellaneous_conflict(code))
+    });
+    to_js(&preparatory_ones.chain(miscellaneous_ones).collect::<Vec<_>>())
 }

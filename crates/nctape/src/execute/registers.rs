@@ -6,7 +6,9 @@ use super::state::State;
 use super::walk::{Fate, Walk, stop_of};
 use crate::Tape;
 use crate::format::{Control, Dimensions, FeedCoding, FeedUnit, Plane, Sign, Standard};
-use crate::function::{Group, Miscellaneous, Preparatory, miscellaneous, preparatory};
+use crate::function::{
+    Group, Miscellaneous, Preparatory, miscellaneous, miscellaneous_conflict, preparatory, preparatory_conflict,
+};
 use crate::read::{Reading, Traits, Word};
 use std::ops::Range;
 
@@ -65,6 +67,12 @@ pub struct Named {
     pub code: String,
     /// What it means; empty for one without meaning.
     pub meaning: String,
+    /// What its group is about; empty where it has none.
+    pub group: &'static str,
+    /// When it begins to act and how long it does; empty where nothing says so.
+    pub acts: String,
+    /// Where the sources of the tables differ.
+    pub conflict: Option<&'static str>,
 }
 
 /// A feed or spindle speed word.
@@ -398,20 +406,32 @@ fn once(control: &Control, words: &[Word]) -> Vec<Named> {
 fn preparatory_named(control: &Control, code: u8) -> Named {
     let name = format!("G{code:02}");
     let stated = &control.format.itemized;
-    let meaning = match preparatory(code) {
-        Preparatory::Assigned(_, meaning) => meaning,
-        _ if stated.curves.as_ref().is_some_and(|curves| curves.contains_key(&name)) => "Curve of higher order",
-        _ => stated.declared.as_ref().and_then(|declared| declared.g.get(&name)).map_or("", String::as_str),
+    let (meaning, group) = match preparatory(code) {
+        Preparatory::Assigned(group, meaning) => (meaning, Some(group)),
+        _ if stated.curves.as_ref().is_some_and(|curves| curves.contains_key(&name)) => {
+            ("Curve of higher order", Some(Group::Motion))
+        }
+        _ => (stated.declared.as_ref().and_then(|declared| declared.g.get(&name)).map_or("", String::as_str), None),
     };
-    Named { meaning: meaning.to_owned(), code: name }
+    Named {
+        meaning: meaning.to_owned(),
+        code: name,
+        group: group.map_or("", Group::title),
+        acts: group.map_or("", |group| group.hold().words()).to_owned(),
+        conflict: preparatory_conflict(code),
+    }
 }
 
 fn miscellaneous_named(control: &Control, code: u8) -> Named {
     let name = format!("M{code:02}");
-    let declared = control.format.itemized.declared.as_ref();
-    let meaning = match miscellaneous(code) {
-        Miscellaneous::Assigned(_, meaning) => meaning,
-        _ => declared.and_then(|declared| declared.m.get(&name)).map_or("", String::as_str),
+    let declared = control.format.itemized.declared.as_ref().and_then(|declared| declared.m.get(&name));
+    let (meaning, group, acts) = match miscellaneous(code) {
+        Miscellaneous::Assigned(matter, start, hold, meaning) => {
+            (meaning, matter.title(), format!("{}, {}", start.words(), hold.words()))
+        }
+        _ => (declared.map_or("", String::as_str), "", String::new()),
     };
-    Named { meaning: meaning.to_owned(), code: name }
+    // What the builder declares of an assigned function says what the table leaves open.
+    let acts = declared.filter(|_| !group.is_empty()).cloned().unwrap_or(acts);
+    Named { meaning: meaning.to_owned(), code: name, group, acts, conflict: miscellaneous_conflict(code) }
 }

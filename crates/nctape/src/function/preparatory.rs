@@ -4,6 +4,8 @@
 //! notes of GOST 20999-83, with DIN 66025 and with a list of EIA RS-274-D. Where they differ the entry says so.
 //! The letters of the groups a, c and d are printed in sources at hand; e to k are recalled.
 
+use super::Hold;
+
 /// What a two-digit preparatory function means.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Preparatory {
@@ -56,6 +58,28 @@ impl Group {
         Group::Positioning,
         Group::Cycle,
     ];
+
+    /// How long its functions act.
+    pub fn hold(self) -> Hold {
+        if self == Group::Once { Hold::Block } else { Hold::Stays }
+    }
+
+    /// Its letter in the table; empty for functions of no group.
+    pub fn letter(self) -> &'static str {
+        match self {
+            Group::Motion => "a",
+            Group::Plane => "c",
+            Group::Compensation => "d",
+            Group::Offset => "(d)",
+            Group::Cycle => "e",
+            Group::Shift => "f",
+            Group::Positioning => "h",
+            Group::Spindle => "i",
+            Group::Dimensions => "j",
+            Group::Feed => "k",
+            Group::Once => "",
+        }
+    }
 
     /// What it is about, in a word or two.
     pub fn title(self) -> &'static str {

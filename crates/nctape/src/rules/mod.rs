@@ -111,6 +111,7 @@ pub static ALL: &[&Rule] = &[
     &function::dimension_mode::RULE,
     &function::no_interpolation::RULE,
     &function::unassigned_miscellaneous::RULE,
+    &function::start_of_effect::RULE,
     &function::contouring::RULE,
     &function::not_carried_out::RULE,
     &motion::too_many_axes::RULE,
@@ -286,6 +287,7 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     tab::other_column::check(tape, sink);
     tab::address_in_tab_system::check(tape, sink);
     function::no_interpolation::check(tape, sink);
+    function::start_of_effect::check(tape, sink);
     function::not_carried_out::check(tape, sink);
     motion::too_many_axes::check_positioning(tape, sink);
     motion::full_circle::check(tape, sink);

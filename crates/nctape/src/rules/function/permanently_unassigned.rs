@@ -22,7 +22,8 @@ pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     if word.digits == 2 && !super::is_declared(letter, code, block.control) {
         let message = format!(
             "{letter}{code:02} is permanently unassigned, left to the builder of the control; the itemized data does not \
-             say what it means here. Declare it."
+             say what it means here. Declare it.{}",
+            super::conflict(letter, code)
         );
         sink.report(&RULE, word.range(), message);
     }

@@ -18,7 +18,8 @@ pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     if word.digits == 2 && unassigned && !super::is_declared('M', code, block.control) {
         let message = format!(
             "M{code:02} is not assigned: it means something only where the itemized data declares it. Declare it, or \
-             take the word out."
+             take the word out.{}",
+            super::conflict('M', code)
         );
         sink.report(&RULE, word.range(), message);
     }

@@ -18,7 +18,8 @@ pub(crate) fn check(word: &Word, block: &BlockView<'_>, sink: &mut Sink<'_>) {
     {
         let message = format!(
             "G{code:02} is not assigned: it means something only where the itemized data declares it. Declare it, or \
-             take the word out."
+             take the word out.{}",
+            super::conflict('G', code)
         );
         sink.report(&RULE, word.range(), message);
     }

@@ -1,6 +1,6 @@
 //! SKIP-03: skipping a block changes what later blocks do.
 
-use crate::execute::Held;
+use crate::execute::{Held, ends_program};
 use crate::rules::prelude::*;
 
 /// The rule.
@@ -16,6 +16,7 @@ pub static RULE: Rule = Rule {
 /// the control should hold the same; where it does not, the blocks before it that can be skipped are at fault.
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     let Some(other) = tape.other else { return };
+    check_ends(tape, sink);
     let held = |index: usize| other.held.binary_search_by_key(&index, |held| held.0).map(|at| &other.held[at].1);
     // What only one of them executes is no matter here.
     let pairs = tape.execution.held.iter().filter_map(|(index, one)| Some((*index, one, held(*index).ok()?)));
@@ -34,6 +35,20 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         }
         differed = differs;
         before = index + 1;
+    }
+}
+
+/// An end of program that can be skipped: the blocks behind it are executed, or are not.
+fn check_ends(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
+    let blocks = &tape.reading.blocks;
+    for (index, pair) in blocks.windows(2).enumerate() {
+        let ends = pair[0].skip && pair[0].traits.any(Traits::address(b'M'));
+        if ends && pair[0].program == pair[1].program && ends_program(tape.reading.words(&pair[0])) {
+            let message = "Whether this block is skipped decides whether the blocks behind it are executed at all: it \
+                           ends the program. If that is meant, say so beside the tape."
+                .to_owned();
+            sink.report(&RULE, tape.extent(index), message);
+        }
     }
 }
 

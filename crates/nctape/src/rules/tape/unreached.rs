@@ -12,8 +12,10 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    let mut unreached =
-        tape.execution.unreached.iter().filter(|&&index| !tape.reading.words(&tape.reading.blocks[index]).is_empty());
+    // What the other position of the optional block skip switch executes is not lost: SKIP-03 speaks of it.
+    let is_lost = |index: usize| tape.other.is_none_or(|other| other.unreached.binary_search(&index).is_ok());
+    let has_words = |index: usize| !tape.reading.words(&tape.reading.blocks[index]).is_empty();
+    let mut unreached = tape.execution.unreached.iter().filter(|&&index| has_words(index) && is_lost(index));
     let Some(&first) = unreached.next() else { return };
     sink.report(
         &RULE,
