@@ -294,3 +294,22 @@ fn functions_say_their_group_and_when_they_act() {
     assert!(behind(&tape, "N003").once[0].conflict.is_some(), "the sources differ on M48");
     assert_eq!(behind(&tape, "N003").once[0].acts, after);
 }
+
+/// 3.3.4.5: the last group of digits of T selects the tool compensation; where it has a word of its own, that is D.
+#[test]
+fn the_number_of_the_tool_compensation() {
+    let mut format = Format::new(Standard::Iso2539, "N3G2X+42Y+42F4T4M2*").classified("CAM 222");
+    let blocks = ["T0503M06", "G41X+001000", "T0604"];
+    let number = |format: &Format, sequence: &str| behind(&tape(format, &blocks), sequence).compensation;
+    assert_eq!(number(&format, "N003"), None, "no digits of T are said to select it");
+    format.itemized.compensation_digits = Some(2);
+    assert_eq!(number(&format, "N002").as_deref(), Some("03"));
+    assert_eq!(number(&format, "N003").as_deref(), Some("04"));
+
+    let mut format = Format::new(Standard::Iso2539, "N3G2X+42Y+42F4D2T2M2*").classified("CAM 222");
+    let letters = [("D".to_owned(), "tool compensation".to_owned())].into_iter().collect();
+    format.itemized.declared = Some(Declared { letters, ..Declared::default() });
+    let with_d = tape(&format, &["G42X+001000D07", "G40"]);
+    assert_eq!(behind(&with_d, "N001").compensation.as_deref(), Some("07"));
+    assert_eq!(behind(&with_d, "N002").compensation.as_deref(), Some("07"), "G40 cancels the offset, not its number");
+}

@@ -1,6 +1,7 @@
 //! Random edits of a tape where edits are awkward: inside CR LF, `*` with a line end, words, comments and surrogate
 //! pairs; parentheses that open and close; whole stretches that go.
 
+use nctape::format::value::Positive;
 use nctape::format::{CurveKind, Dimensions, Dwell, DwellUnit};
 use nctape::{Format, Standard, Tape};
 use std::fmt::Write;
@@ -63,6 +64,14 @@ const PIECES: &[&str] = &[
     "N007 G01 X+001000 F0300\n",
     "N008 G02 X+020000 Y+010000\nN009 X+030000 Y+000000\n",
     "G91",
+    "G41",
+    "G42 X+002000",
+    "G40",
+    "P+0000 Q+1000",
+    "P+0707",
+    "P+0000 Q+0000 R+0000",
+    "B+090000",
+    "G33 Z-002000 K+000150",
     "G90",
     "G06",
     "G05",
@@ -121,18 +130,24 @@ pub fn tape(blocks: usize) -> String {
 }
 
 /// Controls that read the same text in different ways.
-pub fn formats() -> [Format; 4] {
+pub fn formats() -> [Format; 5] {
     let mut incremental =
         Format::new(Standard::Iso2539, "N3.G2.XL42.YL42.ZL42.IL42.JL42.F4.T2.M2*").classified("CSM 332");
     incremental.itemized.dimensions = Some(Dimensions::Incremental);
     let mut absolute = Format::new(Standard::Iso2539, "N3G2X+42Y+42I+42J+42F4S4T2M2*").classified("CAM 222");
     absolute.itemized.dwell = Some(Dwell { address: 'X', unit: DwellUnit::Revolutions });
     absolute.itemized.curves = Some([("G05".to_owned(), CurveKind::Cubic)].into());
+    let mut compensated =
+        Format::new(Standard::Iso2539, "N3G2X+42Y+42Z+42P+13Q+13R+13I+42J+42B+33F4S3T3M2*").classified("CAMD 433");
+    compensated.itemized.compensation = Some(true);
+    compensated.itemized.cutter_radius = Some(Positive(2.5));
+    compensated.itemized.compensation_digits = Some(1);
     [
         absolute,
         incremental,
         Format::new(Standard::Iso1058, "N3.G2.X+42.Y+42.F2.T2.M2*").classified("PTM 222"),
         Format::new(Standard::Rs274, "n3 g2 x+14 y+14 i+14 j+14 f21 m2*"),
+        compensated,
     ]
 }
 
@@ -157,7 +172,8 @@ pub fn dump(tape: &Tape) -> String {
     }
     for index in 0..tape.spans().list.len() {
         let (start, end) = (tape.spans().start(index), tape.spans().end(index));
-        writeln!(out, "{:?} {start:?} {end:?}", tape.spans().list[index]).unwrap();
+        let offset = tape.spans().offsets().get(index);
+        writeln!(out, "{:?} {start:?} {end:?} {offset:?}", tape.spans().list[index]).unwrap();
     }
     writeln!(out, "{:?} {:?} {rows:?}", tape.totals(), tape.bounds()).unwrap();
     out
@@ -188,13 +204,13 @@ fn bytes(text: &str, from: usize, to: usize) -> std::ops::Range<usize> {
 pub fn edited(seed: u64, count: usize, first: &str) {
     let mut numbers = Numbers::new(seed);
     let formats = formats();
-    let (mut format, mut skip) = (&formats[seed as usize % 4], false);
+    let (mut format, mut skip) = (&formats[seed as usize % 5], false);
     let mut tape = Tape::with_skip(first, format, skip);
     for turn in 0..count {
         let before = tape.clone();
         match numbers.below(40) {
             0 => {
-                format = &formats[numbers.below(4)];
+                format = &formats[numbers.below(5)];
                 tape.set_format(format);
             }
             1 => {

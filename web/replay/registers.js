@@ -157,6 +157,7 @@ function linesOf({ here, summary }, held) {
     { name: 'Spindle', ...named(held.spindle) },
     { name: 'Coolant', ...named(held.coolant) },
     { name: 'Tool', code: held.tool?.word ?? '–', says: held.tool === null ? '' : held.tool.change === null ? 'not changed yet' : `${held.tool.change.code} ${held.tool.change.meaning}` },
+    ...(held.compensation === null ? [] : [{ name: 'Offset no.', code: held.compensation, says: '' }]),
     ...held.others.map(({ address, word }) => ({ name: address, code: word ?? '–', says: '' })),
     ...held.modal.map(({ group, code, meaning, acts, conflict, stated }) => ({ name: group, code: code === null ? '–' : stated ? code : `(${code})`, says: meaning, quiet: !stated, more: acting([{ code: code ?? '', acts, conflict }]) })),
     { name: 'This block', code: held.once.map(({ code }) => code).join(' ') || '–', says: held.once.length === 1 ? held.once[0].meaning : '', more: acting(held.once) },

@@ -24,6 +24,7 @@ struct RegistersView {
     spindle: Option<SpindleView>,
     coolant: Option<CoolantView>,
     tool: Option<ToolView>,
+    compensation: Option<String>,
     others: Vec<OtherView>,
 }
 
@@ -117,6 +118,7 @@ fn view(block: usize, held: Registers) -> RegistersView {
             .spindle
             .map(|(turning, function)| SpindleView { turns: turning.name(), function: named(function) }),
         coolant: held.coolant.map(|(on, function)| CoolantView { on, function: named(function) }),
+        compensation: held.compensation,
         others: held.others.into_iter().map(|(address, word)| OtherView { address, word }).collect(),
         tool: held.tool.map(|(word, change)| ToolView { word, change: change.map(named) }),
     }

@@ -35,6 +35,7 @@ export interface Itemized {
   travel?: Record<string, [number, number]>;
   dwell?: { address: string; unit: "seconds" | "revolutions" };
   compensation?: boolean;
+  compensationVector?: "normal" | "tangent";
   cutterRadius?: number;
   compensationDigits?: number;
   programNumberDigits?: number;
@@ -374,6 +375,8 @@ export interface Registers {
   coolant: (NamedFunction & { on: boolean }) | null;
   /** The tool word in force, and the tool change given since. */
   tool: { word: string; change: NamedFunction | null } | null;
+  /** The number of the tool compensation: the last digits of T, or the word D. */
+  compensation: string | null;
   /** Every other address of the detail that is no dimension, with its last word. */
   others: { address: string; word: string | null }[];
 }

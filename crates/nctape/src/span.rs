@@ -109,6 +109,20 @@ pub struct Span {
     pub substitute: bool,
 }
 
+/// How the cutter's centre lies off a span: by the cutter's radius in some direction.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Offset {
+    /// On it.
+    #[default]
+    None,
+    /// Left of the direction of motion in a plane, as seen from its positive third axis: G41.
+    Left(Plane),
+    /// Right of it: G42.
+    Right(Plane),
+    /// In the direction of this unit vector at the start of the span: P, Q and R (clause 5).
+    Along([f64; 3]),
+}
+
 /// The spans of a tape, and where every axis is at the ends of each.
 #[derive(Clone, Debug, Default)]
 pub struct Spans {
@@ -119,11 +133,14 @@ pub struct Spans {
     /// Where those are at the start and at the end of each span, axis by axis.
     beyond: Vec<[f64; 2]>,
     shares: Vec<Share>,
+    /// There is a cutter whose centre lies off the path: the offset of each span is kept.
+    compensates: bool,
+    offsets: Vec<Offset>,
 }
 
 impl Spans {
-    pub(crate) fn new(axes: usize) -> Spans {
-        Spans { more: axes.saturating_sub(3), ..Spans::default() }
+    pub(crate) fn new(axes: usize, compensates: bool) -> Spans {
+        Spans { more: axes.saturating_sub(3), compensates, ..Spans::default() }
     }
 
     /// None, with as many axes and room for so many.
@@ -133,6 +150,8 @@ impl Spans {
             more: self.more,
             beyond: Vec::with_capacity(room * self.more),
             shares: Vec::with_capacity(room),
+            compensates: self.compensates,
+            offsets: Vec::with_capacity(if self.compensates { room } else { 0 }),
         }
     }
 
@@ -144,19 +163,35 @@ impl Spans {
         }
         self.beyond.splice(range.start * self.more..range.end * self.more, others.beyond);
         self.shares.splice(range.clone(), others.shares);
+        if self.compensates {
+            self.offsets.splice(range.clone(), others.offsets);
+        }
         self.list.splice(range, others.list);
     }
 
-    /// Adds a span, and where the axes beyond X, Y and Z are at its ends.
-    pub(crate) fn push(&mut self, span: Span, beyond: impl Iterator<Item = [f64; 2]>) {
+    /// Adds a span, how the cutter's centre lies off it, and where the axes beyond X, Y and Z are at its ends.
+    pub(crate) fn push(&mut self, span: Span, offset: Offset, beyond: impl Iterator<Item = [f64; 2]>) {
         self.shares.push(Share::of(&span));
         self.list.push(span);
         self.beyond.extend(beyond);
+        if self.compensates {
+            self.offsets.push(offset);
+        }
     }
 
     /// What each adds to the totals.
     pub(crate) fn shares(&self) -> &[Share] {
         &self.shares
+    }
+
+    /// How the cutter's centre lies off each span; empty where the format states no radius of a cutter.
+    pub fn offsets(&self) -> &[Offset] {
+        &self.offsets
+    }
+
+    /// Where the axes beyond X, Y and Z are at the start and at the end of each span, axis by axis.
+    pub fn beyond(&self) -> &[[f64; 2]] {
+        &self.beyond
     }
 
     /// Every axis at the start of a span.

@@ -108,7 +108,7 @@ impl State<'_> {
         }
     }
 
-    fn arc_block(&self, clockwise: bool, start: &[i64]) -> ArcBlock {
+    pub(super) fn arc_block(&self, clockwise: bool, start: &[i64]) -> ArcBlock {
         let [first, second, _] = self.plane.axes();
         let point = |position: &[i64]| [self.in_unit(first, position[first]), self.in_unit(second, position[second])];
         let increment = self.increment(first).max(self.increment(second));
@@ -199,6 +199,11 @@ impl State<'_> {
 
     /// A point of an arc in two blocks: 4.2.2.2.
     pub(super) fn arc_point(&mut self, clockwise: bool) {
+        if self.centre_in_vector {
+            let start = self.position;
+            self.substitute(&start, self.block);
+            return;
+        }
         let Some(pending) = self.pending.take() else {
             let [first, second, _] = self.plane.axes();
             let doubtful = self.is_doubtful([first, second]);

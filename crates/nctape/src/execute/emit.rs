@@ -6,7 +6,7 @@ use super::feed::Feed;
 use super::parabola::{Parabola, norm, subtract};
 use super::state::{State, in_unit};
 use crate::format::ArcFeed;
-use crate::span::{Geometry, Span, SpanKind};
+use crate::span::{Geometry, Offset, Span, SpanKind};
 
 /// Below it the next number of a reciprocal of time is more than a quarter faster. At 4, which annex E has, it is just
 /// that.
@@ -51,6 +51,9 @@ impl State<'_> {
             Geometry::Parabola { tangent } => Parabola { start: from, tangent, end: to }.length(),
             Geometry::Curve { control } => Cubic { start: from, control, end: to }.length(),
         };
+        if kind != SpanKind::Rapid && blocks.0 == blocks.1 && self.compensation.vector.is_some() {
+            self.check_vector(&geometry, from, to);
+        }
         if kind == SpanKind::Parabola && matches!(self.feed, Feed::Reciprocal(_)) {
             self.events.push(Event { block: blocks.0, kind: EventKind::ReciprocalParabola });
         }
@@ -93,7 +96,8 @@ impl State<'_> {
     pub(super) fn push_span(&mut self, span: Span, start: &[i64]) {
         let control = self.control;
         let ends = start.iter().zip(self.target.iter()).zip(&control.axes).skip(3);
-        self.spans.push(span, ends.map(|((&start, &end), axis)| [start, end].map(|at| in_unit(axis, at))));
+        let offset = if span.substitute { Offset::None } else { self.offset() };
+        self.spans.push(span, offset, ends.map(|((&start, &end), axis)| [start, end].map(|at| in_unit(axis, at))));
     }
 
     /// The feed as the tape states it, where it states one along the path. A thread runs by its lead.

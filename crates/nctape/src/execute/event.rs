@@ -79,6 +79,15 @@ pub(crate) enum EventKind {
     RapidSpeed { word: usize },
     /// A miscellaneous function starts the spindle before any S word.
     SpindleWithoutSpeed { word: usize },
+    /// P, Q and R are no unit vector.
+    VectorLength { length: f64 },
+    /// The vector in force is not normal to the start of a span, or not tangent where that is declared; `other`: it is
+    /// what the other kind would be.
+    VectorAside { tangential: bool, other: bool },
+    /// P, Q and R are axes of the format, yet form a unit vector under G41 or G42.
+    VectorAsAxes,
+    /// P, Q and R are the centre of an arc, for which I, J and K are.
+    CentreInVector,
     /// A motion that could not be drawn at all, because no word of it could be read: the time of the tape is not known.
     LeftOut,
     /// A preparatory function whose effect is not computed.

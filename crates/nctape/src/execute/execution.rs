@@ -50,7 +50,8 @@ pub struct Kept {
 
 /// Executes what was read. `skip` is the position of the optional block skip switch.
 pub(crate) fn execute(reading: &Reading, control: &Control, skip: bool) -> Execution {
-    let mut execution = Execution { spans: Spans::new(control.axes.len()), ..Execution::default() };
+    let mut execution =
+        Execution { spans: Spans::new(control.axes.len(), control.compensates()), ..Execution::default() };
     let everything = Reread { old: 0..0, new: 0..reading.blocks.len() };
     execution.edit(reading, control, skip, &everything);
     execution

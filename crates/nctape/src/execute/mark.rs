@@ -1,5 +1,6 @@
 //! Places from which executing can go on.
 
+use super::compensation::Compensation;
 use super::feed::Feed;
 use super::position::Position;
 use super::state::{Motion, Pending};
@@ -18,6 +19,7 @@ pub(super) struct Carried {
     pub any_speed: bool,
     pub coding: FeedCoding,
     pub unit: FeedUnit,
+    pub compensation: Compensation,
     pub position: Position,
     pub pending: Option<Pending>,
     pub leads: [i64; 3],

@@ -5,6 +5,7 @@
 
 mod arc_block;
 pub(crate) mod circle;
+mod compensation;
 mod course;
 pub(crate) mod cubic;
 mod curve_block;
@@ -83,7 +84,8 @@ pub(crate) fn is_carried_out(group: Group, code: u8) -> bool {
         Group::Motion => !matches!(code, 34 | 35),
         Group::Plane | Group::Dimensions | Group::Positioning | Group::Feed => true,
         Group::Spindle => code == 97,
-        Group::Compensation => code == 40,
+        // Without the radius of the cutter there is nothing to draw: see `State::take_preparatory`.
+        Group::Compensation => true,
         Group::Shift => code == 53,
         Group::Cycle => code == 80,
         Group::Offset => false,

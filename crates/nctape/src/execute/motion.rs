@@ -12,6 +12,7 @@ impl State<'_> {
             self.stand();
             return;
         }
+        self.take_vector();
         let parametric = self.parametric;
         if !self.addressed && !parametric {
             return;

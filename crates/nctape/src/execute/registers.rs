@@ -44,6 +44,9 @@ pub struct Registers {
     pub coolant: Option<(bool, Named)>,
     /// The tool word in force, as written, and the tool change given since.
     pub tool: Option<(String, Option<Named>)>,
+    /// The number of the tool compensation in force: the last digits of T, or the word D; `None` while the tape has
+    /// given none.
+    pub compensation: Option<String>,
     /// Every other address of the detail that is no dimension, with its last word as written: the position of an
     /// indexed table, say.
     pub others: Vec<(char, Option<String>)>,
@@ -205,6 +208,13 @@ impl Tape {
             tool: held
                 .tool
                 .map(|word| (written(word), held.tool_change.map(|code| miscellaneous_named(control, code)))),
+            compensation: held.compensation.map(|word| {
+                let word = written(word);
+                let digits = word.trim_start_matches(|letter: char| !letter.is_ascii_digit());
+                let count = usize::from(control.format.itemized.compensation_digits.unwrap_or(0));
+                let first = if word.starts_with(['D', 'd']) { 0 } else { digits.len().saturating_sub(count) };
+                digits[first..].to_owned()
+            }),
             others: held.others.iter().map(|&(letter, word)| (char::from(letter), word.map(written))).collect(),
         }
     }
@@ -229,6 +239,10 @@ struct Held {
     coolant: Option<(bool, u8)>,
     tool: Option<(usize, usize)>,
     tool_change: Option<u8>,
+    /// The word that selects the tool compensation.
+    compensation: Option<(usize, usize)>,
+    /// The last digits of T do, and D does.
+    compensates: (bool, bool),
     others: Vec<(u8, Option<(usize, usize)>)>,
     /// The address of the word that a dwell counts by.
     dwell: Option<char>,
@@ -248,6 +262,8 @@ impl Held {
             coolant: None,
             tool: None,
             tool_change: None,
+            compensation: None,
+            compensates: compensates(control),
             others: other_letters(control),
             dwell: control.format.itemized.dwell.as_ref().map(|dwell| dwell.address),
             curves: curves.filter_map(|name| name.strip_prefix('G')?.parse().ok()).collect(),
@@ -274,8 +290,10 @@ impl Held {
                 b'T' => {
                     self.tool = at;
                     self.tool_change = None;
+                    self.compensation = at.filter(|_| self.compensates.0).or(self.compensation);
                 }
                 letter => {
+                    self.compensation = at.filter(|_| letter == b'D' && self.compensates.1).or(self.compensation);
                     let other = self.others.iter_mut().find(|(other, _)| *other == letter);
                     other.into_iter().for_each(|(_, word)| *word = at);
                 }
@@ -321,6 +339,17 @@ impl Held {
             self.tool_change = Some(code);
         }
     }
+}
+
+/// Whether the last digits of T select a tool compensation, and whether D does: where it is neither a dimension nor
+/// declared as anything else (3.3.4.5).
+fn compensates(control: &Control) -> (bool, bool) {
+    let stated = &control.format.itemized;
+    let by_tool = stated.compensation_digits.is_some_and(|digits| digits > 0);
+    let is_number = control.designation(b'D').is_some_and(|word| !word.dimension);
+    let declared = stated.declared.as_ref().and_then(|declared| declared.letters.get("D"));
+    let named = declared.is_some_and(|meaning| meaning.contains("compensation") || meaning.contains("offset"));
+    (by_tool, is_number && named)
 }
 
 /// The addresses that have no register of their own.

@@ -1,5 +1,6 @@
 //! What the control holds from block to block: modal functions, position, feed.
 
+use super::compensation::{Compensation, Components, Side};
 use super::dwell::Pause;
 use super::event::{Event, EventKind, Several};
 use super::feed::{self, CodeFault, Feed};
@@ -73,6 +74,7 @@ pub(crate) struct State<'a> {
     any_speed: bool,
     coding: FeedCoding,
     unit: FeedUnit,
+    pub compensation: Compensation,
     /// Where every axis is, in least input increments.
     pub position: Position,
     pub pending: Option<Pending>,
@@ -88,6 +90,10 @@ pub(crate) struct State<'a> {
     pub parameters: [Option<Parameter>; 3],
     /// The F word of the block: its place, and its number where it has all digits.
     pub own_feed: Option<(usize, Option<i64>)>,
+    /// P, Q and R of the block.
+    pub components: Components,
+    /// They are the centre of its arc.
+    pub centre_in_vector: bool,
     /// The block has a dimension word, readable or not.
     pub addressed: bool,
     /// The block has an interpolation parameter, readable or not.
@@ -128,6 +134,7 @@ impl<'a> State<'a> {
             any_speed: false,
             coding: control.feed,
             unit: control.feed_unit,
+            compensation: Compensation::NONE,
             position: Position::new(&control.set_point),
             pending: None,
             block: 0,
@@ -135,6 +142,8 @@ impl<'a> State<'a> {
             words: vec![None; axes],
             parameters: [None; 3],
             own_feed: None,
+            components: Components::default(),
+            centre_in_vector: false,
             addressed: false,
             parametric: false,
             unread: false,
@@ -146,7 +155,7 @@ impl<'a> State<'a> {
             pause: None,
             leads: [0; 3],
             lost_function: false,
-            spans: Spans::new(axes),
+            spans: Spans::new(axes, control.compensates()),
             events: Vec::new(),
             moved_before: false,
         }
@@ -177,6 +186,7 @@ impl<'a> State<'a> {
             any_speed,
             coding,
             unit,
+            compensation: self.compensation,
             position: self.position,
             pending: self.pending,
             leads: self.leads,
@@ -194,6 +204,7 @@ impl<'a> State<'a> {
         (self.motion, self.plane, self.incremental) = (motion, plane, incremental);
         (self.feed, self.speed, self.cutting_speed, self.any_speed) = (feed, speed, cutting_speed, any_speed);
         (self.coding, self.unit) = (coding, unit);
+        self.compensation = carried.compensation;
         (self.position, self.pending, self.lost) = (carried.position, carried.pending, carried.lost);
         (self.leads, self.lost_function) = (carried.leads, carried.lost_function);
         self.moved_before = carried.moved;
@@ -226,6 +237,8 @@ impl<'a> State<'a> {
         self.words.fill(None);
         self.parameters = [None; 3];
         self.own_feed = None;
+        self.components = Components::default();
+        self.centre_in_vector = false;
         self.addressed = false;
         self.parametric = false;
         self.unread = false;
@@ -269,6 +282,16 @@ impl<'a> State<'a> {
                 // Under constant cutting speed the revolutions hang on the diameter, which no tape says.
                 self.cutting_speed = code == 96;
                 self.speed = None;
+            }
+            (Group::Compensation, _) => {
+                self.compensation.side = match code {
+                    41 => Side::Left,
+                    42 => Side::Right,
+                    _ => Side::Cancelled,
+                };
+                if code != 40 && !self.control.compensates() {
+                    self.note(EventKind::NotCarriedOut(code));
+                }
             }
             (Group::Once, 4) => {
                 self.motionless = true;
@@ -374,15 +397,20 @@ impl<'a> State<'a> {
         // A word that the detail lacks has no place for its decimal sign: it says no number of millimetres.
         self.parametric |= parameter.is_some();
         self.addressed |= axis.is_some();
+        let component = word.address.checked_sub(b'P').map(usize::from).filter(|component| *component < 3);
         let designated = self.control.designation(word.address).is_some_and(|designation| designation.dimension);
         let Some(value) = word.value.filter(|_| designated) else {
             self.unread |= parameter.is_some() || axis.is_some();
             self.lost |= axis.map_or(0, bit);
+            self.components.unread |= component.is_some();
             return;
         };
         if let Some(index) = parameter {
             self.parameters[index] = Some(Parameter { place, value });
             return;
+        }
+        if let Some(component) = component {
+            self.components.given[component] = Some(Parameter { place, value });
         }
         let Some(axis) = axis else { return };
         // G92 loads the register with the value itself, whatever the dimensions.

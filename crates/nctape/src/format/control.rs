@@ -1,8 +1,8 @@
 //! The control that a format describes: every default in place, ready for reading and executing.
 
 use super::{
-    Angles, ArcCentre, ArcFeed, ArcParameters, Classification, Designation, Detail, Dimensions, FeedCoding, FeedUnit,
-    Format, ParabolaParameters, Plane, SetPoint, Sign, Standard, System, Unit,
+    Angles, ArcCentre, ArcFeed, ArcParameters, Classification, CompensationVector, Designation, Detail, Dimensions,
+    FeedCoding, FeedUnit, Format, ParabolaParameters, Plane, SetPoint, Sign, Standard, System, Unit,
 };
 use crate::code::{Code, EndOfBlock};
 use crate::function::{Preparatory, preparatory};
@@ -62,6 +62,10 @@ pub struct Control {
     pub arc_feed: ArcFeed,
     /// F is this divided by minutes.
     pub time_scale: f64,
+    /// P, Q and R are the vector of cutter compensation.
+    pub vectors: bool,
+    /// How that vector lies to the path.
+    pub compensation_vector: CompensationVector,
     /// The travel of every axis, where it is stated: least and greatest position in the unit of the format.
     pub travel: Vec<Option<(f64, f64)>>,
     simultaneous: Option<u8>,
@@ -119,6 +123,8 @@ impl Control {
             feed_unit: stated.feed_unit.unwrap_or(FeedUnit::PerMinute),
             arc_feed: stated.arc_feed.unwrap_or(ArcFeed::Radians),
             time_scale: stated.time_scale.map_or(1.0, |scale| f64::from(scale.0)),
+            vectors: stated.compensation == Some(true),
+            compensation_vector: stated.compensation_vector.unwrap_or(CompensationVector::Normal),
             travel: axes.iter().map(|axis| stated.travel.as_ref()?.get(&axis.letter.to_string()).copied()).collect(),
             simultaneous: digits.map(|digits| digits[2]),
             curves: stated
@@ -161,6 +167,11 @@ impl Control {
     /// Motions that the control carries out at once: the third digit of the classification.
     pub fn simultaneous(&self) -> Option<u8> {
         self.simultaneous
+    }
+
+    /// The format states the radius of a cutter, whose centre can be drawn where compensation is in force.
+    pub fn compensates(&self) -> bool {
+        self.format.itemized.cutter_radius.is_some()
     }
 
     /// The unit of angular dimensions: degrees where the classification does not say.

@@ -119,6 +119,16 @@ choices! {
 }
 
 choices! {
+    /// How the vector of cutter compensation lies to the path at the start of its span (clause 5 leaves it open).
+    CompensationVector {
+        /// At right angles to it: the direction in which the cutter is offset.
+        Normal = "normal", "normal to the path";
+        /// Along it; the side is that of G41 or G42.
+        Tangent = "tangent", "tangent to the path";
+    }
+}
+
+choices! {
     /// What a feed is counted against.
     FeedUnit {
         /// Millimetres or inches per minute.
@@ -230,7 +240,8 @@ choice_settings!(
     FeedCoding,
     SpindleCoding,
     FeedUnit,
-    ArcFeed
+    ArcFeed,
+    CompensationVector
 );
 
 impl Setting for TimeScale {
@@ -454,10 +465,12 @@ itemized! {
 
     /// P, Q, R are compensation vectors.
     compensation: bool, "compensation", "Tool", "P, Q, R are compensation vectors", "no: tertiary motions", "Whether P, Q and R carry the unit vector of cutter compensation (clause 5).";
+    /// How that vector lies to the path.
+    compensation_vector: CompensationVector, "compensationVector", "Tool", "Compensation vector", "normal to the path", "How P, Q and R lie to the start of their span. Clause 5 speaks of derivatives and leaves it to the builder.";
     /// Radius of the cutter.
-    cutter_radius: Positive, "cutterRadius", "Tool", "Cutter radius", "not stated", "For drawing the compensated path. It is kept with the format; nothing is worked out from it here.";
+    cutter_radius: Positive, "cutterRadius", "Tool", "Cutter radius", "not stated", "Where it is stated, the path of the cutter's centre is drawn beside the programmed one, wherever G41, G42 or P, Q and R are in force. Lengths and times stay those of the programmed path.";
     /// Digits of T that select the compensation.
-    compensation_digits: u8, "compensationDigits", "Tool", "Compensation digits of T", "none", "The last digits of T that select the tool compensation (3.3.4.5). It is kept with the format; nothing is worked out from it here.";
+    compensation_digits: u8, "compensationDigits", "Tool", "Compensation digits of T", "none", "The last digits of T that select the tool compensation (3.3.4.5); the registers show them.";
 
     /// Meanings that the builder gave.
     declared: Declared, "declared", "Declared meanings", "Declared codes and letters", "none", "Codes and letters to which the builder gave a meaning.";

@@ -22,8 +22,9 @@ pub(crate) use detail::DIMENSION_LETTERS;
 pub use detail::{Designation, Detail, Sign, Zeros};
 pub use explain::{Explanation, FormatDiagnostic, explain, explain_read, one_line};
 pub use itemized::{
-    ArcCentre, ArcFeed, ArcParameters, CurveKind, Declared, Dimensions, Dwell, DwellUnit, FeedCoding, FeedUnit,
-    Itemized, ItemizedField, ParabolaParameters, Plane, SetPoint, SpindleCoding, TapeCode, TapeEnd, TimeScale,
+    ArcCentre, ArcFeed, ArcParameters, CompensationVector, CurveKind, Declared, Dimensions, Dwell, DwellUnit,
+    FeedCoding, FeedUnit, Itemized, ItemizedField, ParabolaParameters, Plane, SetPoint, SpindleCoding, TapeCode,
+    TapeEnd, TimeScale,
 };
 pub use places::Places;
 pub use reading::Malformed;

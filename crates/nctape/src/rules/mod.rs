@@ -148,6 +148,9 @@ pub static ALL: &[&Rule] = &[
     &feed::not_in_1058::RULE,
     &feed::spindle_without_speed::RULE,
     &compensation::unit_vector::RULE,
+    &compensation::vector_as_axes::RULE,
+    &compensation::vector_aside::RULE,
+    &compensation::centre_in_vector::RULE,
     &format::class_contouring::RULE,
     &format::class_positioning::RULE,
     &format::class_system::RULE,
@@ -213,7 +216,6 @@ pub(crate) fn check_block(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     tab::behind_address::check(block, sink);
     tape::last_end::check(block, sink);
     tape::empty_block::check(block, sink);
-    compensation::unit_vector::check(block, sink);
     for word in block.words {
         let sound = sound::is_sound(word, block);
         if sound && !cfg!(debug_assertions) {
@@ -302,6 +304,8 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     feed::spindle_without_speed::check(tape, sink);
     feed::slow_reading::check(tape, sink);
     let is_moved = feed::shift_not_stated::check(tape, sink);
+    compensation::vector_as_axes::check(tape, sink);
+    compensation::vector_aside::check(tape, sink);
     for event in &tape.execution.events {
         motion::too_many_axes::check(event, tape, sink);
         motion::out_of_plane::check(event, tape, sink);
@@ -323,5 +327,7 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         if !is_moved {
             feed::too_fast::check(event, tape, sink);
         }
+        compensation::unit_vector::check(event, tape, sink);
+        compensation::centre_in_vector::check(event, tape, sink);
     }
 }

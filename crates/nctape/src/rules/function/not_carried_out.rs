@@ -41,6 +41,11 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
             "G92 (Preload of registers) moves no tool: from here the dimensions count from another origin. The path is \
              drawn in the new coordinates, so that it seems to jump."
                 .to_owned()
+        } else if matches!(code, 41 | 42) {
+            format!(
+                "{name} ({meaning}) is in force from here. The path drawn is the programmed one; state the radius of the \
+                 cutter in the format (cutterRadius) to see that of its centre beside it."
+            )
         } else {
             format!(
                 "{name} ({meaning}) is read and checked, but the playground does not work out what it does to the path: \
