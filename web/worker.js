@@ -74,6 +74,8 @@ const facts = {
   onMachineOf: nctape.onMachineOf,
   openFile: nctape.openFile,
   encode: nctape.encode,
+  check: nctape.check,
+  tapeDrawing: nctape.tapeDrawing,
   tapePicture,
   /**
    * The 256 columns of tape as one picture.

@@ -2,7 +2,8 @@
 import { byId } from '../dom.js';
 import { notice } from '../notice.js';
 import { counted, whole } from '../words.js';
-import { MOST_ROWS } from './limits.js';
+import { give } from './give.js';
+import { MOST_ROWS, ROWS_IN_LINE } from './limits.js';
 
 /**
  * @param {object} parts
@@ -40,6 +41,23 @@ export function makeSave({ store, engine, source, close }) {
     close();
   });
 
+  byId('save-drawing', HTMLElement).addEventListener('click', async () => {
+    const all = await rows();
+    give(new Blob([await engine.fact('tapeDrawing', all.subarray(0, MOST_ROWS), ROWS_IN_LINE)], { type: 'image/svg+xml' }), named('svg'));
+    if (all.length > MOST_ROWS) notice(`The drawing shows the first ${whole(MOST_ROWS)} rows of ${whole(all.length)}.`);
+    close();
+  });
+
+  /** @type {Promise<ReturnType<typeof import('./exports.js').makeExports>> | null} */
+  let exports = null;
+  for (const name of /** @type {const} */ (['path', 'spans', 'report', 'problems', 'print'])) {
+    byId(`save-${name}`, HTMLElement).addEventListener('click', async () => {
+      close();
+      exports ??= import('./exports.js').then(({ makeExports }) => makeExports({ store, engine, source }));
+      await (await exports)[name]();
+    });
+  }
+
   return {
     /** Says what would be saved. */
     tell() {
@@ -51,18 +69,4 @@ export function makeSave({ store, engine, source, close }) {
           : `${tape}, and before them ${counted(leader.length, 'row')} with your name; one byte a row, track 1 the lowest bit.`;
     },
   };
-}
-
-/**
- * Hands a file to the browser.
- * @param {Blob} blob
- * @param {string} name
- */
-function give(blob, name) {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  // The browser has taken it by then; a minute is plenty for a slow one.
-  setTimeout(() => URL.revokeObjectURL(link.href), 60_000);
 }

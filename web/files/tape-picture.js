@@ -1,10 +1,8 @@
 // The picture of a whole tape, true to scale, in lines that fit a sheet of paper. Runs in the worker.
 import { picture } from 'nctape';
-import { MOST_ROWS } from './limits.js';
+import { MOST_ROWS, ROWS_IN_LINE } from './limits.js';
 import { png } from './png.js';
 
-/** Rows in a line: ten inches of tape, which a sheet of A4 or letter paper takes sideways. */
-const ROWS_IN_LINE = 100;
 /** Pixels for a row: 240 to the inch. */
 const PITCH = 24;
 

@@ -9,6 +9,8 @@
 //! 4. [`tile`](tile()): a stretch of tape, copied together from columns.
 //! 5. [`Picture`]: the pixels, as a browser's canvas takes them.
 //!
+//! [`svg`] draws the same tape in millimetres, for paper.
+//!
 //! ```
 //! use nctape_draw::{Columns, Theme, tile};
 //!
@@ -44,7 +46,7 @@
 //! - Text. The page sets the characters under the rows and the block numbers above them.
 //! - Marks: a row of wrong parity, the row under the cursor and the reader's head are drawn by the page, over the tape.
 //! - Codes. What a row means is for the crate `nctape` to say; here it is holes.
-//! - Picture files. A browser encodes its canvas itself, and encoding takes longer than drawing.
+//! - Files of pixels. A browser encodes its canvas itself, and encoding takes longer than drawing.
 //! - Tape of five, six or seven tracks.
 
 pub mod dimensions;
@@ -56,8 +58,10 @@ mod paper;
 mod picture;
 mod theme;
 mod tile;
+mod vector;
 
 pub use crate::columns::Columns;
 pub use crate::picture::Picture;
 pub use crate::theme::{Colours, Rgb, Theme};
 pub use crate::tile::tile;
+pub use crate::vector::svg;

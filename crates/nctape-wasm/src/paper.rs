@@ -163,6 +163,15 @@ pub fn on_machine_of(
     Ok(to_js(&Plain(format.on_machine_of(&other).write())))
 }
 
+/// A drawing of a tape in true millimetres, as SVG, so many rows to a line.
+#[wasm_bindgen(js_name = tapeDrawing)]
+pub fn tape_drawing(
+    #[wasm_bindgen(unchecked_param_type = "Uint8Array")] rows: &JsValue,
+    rows_in_line: u32,
+) -> Result<String, JsValue> {
+    Ok(nctape_draw::svg(&argument::bytes(rows, "rows")?, rows_in_line as usize))
+}
+
 /// The picture of a stretch of tape, true to scale: a row is `pitch` pixels long, which stand for 2.54 mm.
 #[wasm_bindgen(unchecked_return_type = "{ width: number, height: number, rgba: Uint8Array, pixelsPerMetre: number }")]
 pub fn picture(

@@ -1,0 +1,64 @@
+// What can be saved beside the listing: each file holds what its name says.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { after, before, test } from 'node:test';
+import { startBrowser, visit } from './support/playground.js';
+
+/** @type {import('./support/playground.js').Started} */
+let started;
+before(async () => {
+  started = await startBrowser();
+});
+after(() => started.close());
+
+/**
+ * @param {import('playwright-core').Page} page
+ * @param {string} id
+ */
+async function saved(page, id) {
+  await page.locator('#file-button').click();
+  const download = page.waitForEvent('download');
+  await page.locator(`#${id}`).click();
+  const file = await download;
+  return { name: file.suggestedFilename(), bytes: await readFile(await file.path()) };
+}
+
+test('the drawing, the path, the spans, the problems and the report', async () => {
+  const { page, leave } = await visit(started);
+  const drawing = await saved(page, 'save-drawing');
+  assert.equal(drawing.name, 'tape.svg');
+  // Five lines of a hundred rows, each with its feed hole.
+  assert.equal(drawing.bytes.toString().match(/r="0\.585"/g)?.length, 500);
+  assert.match(drawing.bytes.toString(), /^<svg xmlns="[^"]+" width="254\.00mm"/);
+
+  const path = await saved(page, 'save-path');
+  assert.equal(path.name, 'path.png');
+  assert.equal(path.bytes.subarray(1, 4).toString(), 'PNG');
+
+  const spans = await saved(page, 'save-spans');
+  assert.equal(spans.bytes.toString().trim().split('\r\n').length, 12, 'a head and eleven spans');
+
+  const problems = await saved(page, 'save-problems');
+  assert.match(problems.bytes.toString(), /^- \*\*Note\*\* 8:26 `NUM-15`/m);
+
+  const { report, format } = JSON.parse((await saved(page, 'save-report')).bytes.toString());
+  assert.equal(report.api, 1);
+  assert.equal(format.standard, 'iso2539');
+  await leave();
+});
+
+test('what is printed is the listing, its problems and its path, and nothing of the page', async () => {
+  const { page, leave } = await visit(started, {
+    before: (page) =>
+      page.addInitScript(() => {
+        window.print = () => Object.assign(window, { printed: document.querySelector('.sheet')?.cloneNode(true) });
+      }),
+  });
+  await page.locator('#file-button').click();
+  await page.locator('#save-print').click();
+  await page.waitForFunction(() => 'printed' in window);
+  const printed = await page.evaluate(() => /** @type {any} */ (window).printed.textContent);
+  assert.match(printed, /Format: ISO 2539.*N006\tG02.*Problems8:26 NUM-15 .*Path$/s);
+  assert.equal(await page.locator('.sheet').count(), 0, 'gone when it is done');
+  await leave();
+});
