@@ -18,7 +18,7 @@ import { Drafts } from './share/drafts.js';
  */
 export async function begin(presets) {
   const drafts = new Drafts(notice);
-  const { mine, last } = await drafts.open();
+  const { mine, last } = isFramed() ? { mine: null, last: null } : await drafts.open();
   const own = mine?.own ?? last?.own ?? null;
   const shared = await sharedTape();
   if (shared !== null) return { tape: shared, own, drafts };
@@ -37,6 +37,9 @@ export function followAddress(load) {
   });
 }
 
+/** The page stands in another one, where it keeps nothing and leaves the address alone. */
+const isFramed = () => window.parent !== window;
+
 /** The tape of the address, which is then an address like any other: what is written next is not what was shared. */
 async function sharedTape() {
   if (!/^#\d+\./.test(location.hash)) return null;
@@ -47,6 +50,6 @@ async function sharedTape() {
     notice(`The link could not be opened. ${found.trouble} The page shows what it would show without it.`);
     return null;
   }
-  history.replaceState(history.state, '', location.pathname + location.search);
+  if (!isFramed()) history.replaceState(history.state, '', location.pathname + location.search);
   return found.tape;
 }

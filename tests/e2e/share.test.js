@@ -126,3 +126,22 @@ test('where nothing can be kept the page says so once and goes on', async () => 
   assert.equal(await text(page), `${OWN}N003\n`);
   await leave();
 });
+
+test('in a frame where storage throws it works, and leaves the address alone', async () => {
+  const { page, leave } = await visit(started);
+  await page.locator('#share-button').click();
+  const link = await page.locator('#share-link').inputValue();
+  const host = await page.context().newPage();
+  await host.setContent('<iframe id="plain" width="1200" height="400"></iframe>');
+  await host.evaluate((src) => document.querySelector('iframe')?.setAttribute('src', src), link);
+  const frame = host.frameLocator('#plain');
+  await frame.locator('.cm-line').first().waitFor();
+  await quiet(host);
+  await frame.locator('.cm-content').focus();
+  await host.keyboard.type('(');
+  await drafted(host);
+  await assert.rejects(frame.locator('body').evaluate(() => localStorage.length), /SecurityError/);
+  assert.match((await frame.locator('.cm-line').allTextContents()).join('\n'), /\(\)/, 'what was typed is there');
+  assert.ok((await frame.locator('body').evaluate(() => location.hash)).startsWith('#1.'));
+  await leave();
+});

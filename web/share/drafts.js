@@ -18,6 +18,7 @@ export class Drafts {
   constructor(say) {
     this.say = say;
     this.said = false;
+    /** Of this window; empty where it keeps no draft. */
     this.name = '';
   }
 
@@ -33,6 +34,7 @@ export class Drafts {
 
   /** @param {Draft} draft */
   keep({ own, example }) {
+    if (this.name === '') return;
     if (own === null && example === null) {
       forget(PREFIX + this.name);
       return;
@@ -86,9 +88,11 @@ function hold(name) {
   // Not to be had where the page is opened as a file.
   if (!navigator.locks) return Promise.resolve(true);
   return new Promise((resolve) => {
-    void navigator.locks.request(`nctape.window.${name}`, { ifAvailable: true }, (lock) => {
+    const held = navigator.locks.request(`nctape.window.${name}`, { ifAvailable: true }, (lock) => {
       resolve(lock !== null);
       return lock === null ? undefined : new Promise(() => {});
     });
+    // Forbidden, as in a frame of its own origin: then nothing is shared with another window either.
+    held.catch(() => resolve(true));
   });
 }
