@@ -1,8 +1,11 @@
 // The dialog that says in words what the page is, how the holes are made, and how the keys go.
 import { byId, el } from './dom.js';
 
-/** @param {import('./engine.js').Engine} engine */
-export function makeLearn(engine) {
+/**
+ * @param {import('./engine.js').Engine} engine
+ * @param {() => void} openCalculator
+ */
+export function makeLearn(engine, openCalculator) {
   const dialog = byId('learn', HTMLDialogElement);
   const place = byId('learn-codes', HTMLElement);
   byId('learn-button', HTMLElement).addEventListener('click', async () => {
@@ -10,6 +13,10 @@ export function makeLearn(engine) {
     if (place.childElementCount > 0) return;
     const { tape, codes } = await engine.fact('aboutCodes');
     place.replaceChildren(...tape.map((sentence) => el('p', null, sentence)), ...codes.flatMap(codeWords));
+  });
+  byId('calculator-button', HTMLElement).addEventListener('click', () => {
+    dialog.close();
+    openCalculator();
   });
   dialog.addEventListener('click', (event) => {
     if (event.target === dialog) dialog.close();

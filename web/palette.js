@@ -16,6 +16,8 @@ const NAMES = {
   benchQuiet: '--bench-quiet',
   head: '--head',
   jaw: '--jaw',
+  lit: '--lit',
+  caution: '--warning',
   error: '--mark-error',
   warning: '--mark-warning',
   info: '--mark-info',

@@ -107,10 +107,16 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
     replaceAll(editor, tape);
   });
   makeThemeButton(store);
-  makeLearn(engine);
+  /** What is behind it is loaded when it is wanted. @type {Promise<{ open(): void }> | null} */
+  let calculator = null;
+  async function openCalculator() {
+    calculator ??= import('./speeds/calculator.js').then(({ makeCalculator }) => makeCalculator({ store, engine }));
+    (await calculator).open();
+  }
+  makeLearn(engine, openCalculator);
   /** @param {import('nctape').Format} format */
   const change = (format) => changeFormat(editor, format);
-  const formatPanel = makeFormatPanel({ store, engine, text: () => editor.state.doc, change });
+  const formatPanel = makeFormatPanel({ store, engine, text: () => editor.state.doc, change, openCalculator });
   makeOffer({ store, engine, suggest: () => formatPanel.suggest() });
   makeStrip({ store, engine, kinds, onRow: (offset) => moveCursor(editor, offset, 'tape') });
   const problems = makeProblems({ store, engine, deeds, textLength: () => editor.state.doc.length, cursor: () => editor.state.selection.main.from });
@@ -126,7 +132,7 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
     keep: (began) => keepFormat(editor, began),
   });
   makeSkip({ store, engine, cursor: head });
-  makeTotals({ store, engine, openFormat: (field) => void formatPanel.openAt(field), show: deeds.show });
+  makeTotals({ store, engine, kinds, openFormat: (field) => void formatPanel.openAt(field), show: deeds.show });
   makeName({ store, engine, text: () => editor.state.doc });
   makeFiles({
     store,

@@ -20,6 +20,8 @@ import { firstAtOrAfter } from './sorted.js';
 const SEVERITIES = ['info', 'warning', 'error'];
 const MOST_LISTED = 500;
 const MOST_MARKS = 1000;
+/** More blocks than any tape has. */
+const EVERY = 0xffff_ffff;
 /** So many blocks tell whether a format fits. */
 const MOST_JUDGED = 500;
 
@@ -133,6 +135,12 @@ export const questions = {
     const span = tape.span(0);
     return tape.block(span === null ? 0 : span.blocks[0])?.from ?? 0;
   },
+
+  /**
+   * How long every block takes to execute and to read, and the whole in words.
+   * @param {Tape} tape
+   */
+  times: (tape) => ({ times: tape.times(0, EVERY), sentences: tape.time().sentences }),
 
   /** @param {Tape} tape @param {number} index */
   block: (tape, index) => tape.block(index),

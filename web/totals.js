@@ -4,17 +4,21 @@ import { blockName } from './plot/words.js';
 import { counted, feet, longLength, metres, shortCoordinate, time, whole } from './words.js';
 
 /** @typedef {import('nctape').Summary} Summary */
-/** @typedef {[name: string, value: string, ...Node[]]} Part */
+/** @typedef {[name: string, value: string, ...(Node | string)[]]} Part */
 
 /**
  * @param {object} parts
  * @param {import('./store.js').Store} parts.store
  * @param {import('./engine.js').Engine} parts.engine
  * @param {(field: string | null) => void} parts.openFormat  at a field, where one is named
+ * @param {string[]} parts.kinds
  * @param {(range: { from: number, to: number }) => void} parts.show
  */
-export function makeTotals({ store, engine, openFormat, show }) {
+export function makeTotals({ store, engine, kinds, openFormat, show }) {
   const box = byId('totals', HTMLElement);
+  /** What is behind it is loaded when it is wanted. @type {Promise<{ toggle(): boolean }> | null} */
+  let times = null;
+  const timesButton = button('small link', 'Block by block', toggleTimes, { 'aria-expanded': 'false', title: 'How long each block takes, beside the time of the reader' });
   /** Why the time is not known. @type {{ sentence: string, field: string | null, block: import('nctape').BlockView | null } | null} */
   let reason = null;
   let speed = 0;
@@ -51,7 +55,7 @@ export function makeTotals({ store, engine, openFormat, show }) {
         ['Rapid', longLength(totals.rapid, unit)],
         ['Within', bounds === null ? 'no motion' : boxWords(bounds, summary)],
       ],
-      [['Machining', summary.spans === 0 ? 'no motion' : time(totals.seconds), ...why()]],
+      [['Machining', summary.spans === 0 ? 'no motion' : time(totals.seconds), ' ', timesButton, ...why()]],
     ];
     box.replaceChildren(
       ...lines.map((parts) =>
@@ -62,6 +66,15 @@ export function makeTotals({ store, engine, openFormat, show }) {
         ),
       ),
     );
+  }
+
+  async function toggleTimes() {
+    times ??= import('./speeds/times.js').then(({ makeTimes }) => makeTimes({ store, engine, kinds, show, openFormat, closed }));
+    timesButton.setAttribute('aria-expanded', String((await times).toggle()));
+  }
+  function closed() {
+    timesButton.setAttribute('aria-expanded', 'false');
+    timesButton.focus();
   }
 
   /** Why the time is not known, and the way to where it is said. */

@@ -71,6 +71,8 @@ const facts = {
   rowWords: nctape.rowWords,
   readerSpeed: nctape.readerSpeed,
   whyUntimed: nctape.whyUntimed,
+  speedCodes: nctape.speedCodes,
+  speedOf: nctape.speedOf,
   onMachineOf: nctape.onMachineOf,
   openFile: nctape.openFile,
   encode: nctape.encode,

@@ -14,8 +14,9 @@ import { valueAt, withValue } from './value.js';
  * @param {import('../engine.js').Engine} parts.engine
  * @param {() => { toString(): string }} parts.text
  * @param {(format: Format) => void} parts.change
+ * @param {() => void} parts.openCalculator
  */
-export function makeFormatPanel({ store, engine, text, change }) {
+export function makeFormatPanel({ store, engine, text, change, openCalculator }) {
   const panel = byId('format-panel', HTMLElement);
   const opener = byId('format-button', HTMLElement);
   const words = el('ul', { class: 'explained' });
@@ -37,6 +38,7 @@ export function makeFormatPanel({ store, engine, text, change }) {
     suggestions.element,
     el('div', { class: 'field field-choice' }, el('label', { for: 'field-standard' }, 'Standard'), standard),
     fieldsBox,
+    el('p', { class: 'drawer-foot' }, button('small', 'Feed and speed codes', openCalculator)),
   );
   standard.addEventListener('change', () =>
     change({ ...store.state.format, standard: /** @type {Standard} */ (standard.value) }),

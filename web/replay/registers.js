@@ -2,7 +2,7 @@
 import { byId, el } from '../dom.js';
 import { AXES } from '../plot/view.js';
 import { blockName } from '../plot/words.js';
-import { coordinate, feed } from '../words.js';
+import { coordinate, feed, time } from '../words.js';
 import { wayAlong } from './way.js';
 
 /** @typedef {import('../store.js').Store} Store */
@@ -160,7 +160,7 @@ function linesOf({ here, summary }, held) {
     ...(held.compensation === null ? [] : [{ name: 'Offset no.', code: held.compensation, says: '' }]),
     ...held.others.map(({ address, word }) => ({ name: address, code: word ?? '–', says: '' })),
     ...held.modal.map(({ group, code, meaning, acts, conflict, stated }) => ({ name: group, code: code === null ? '–' : stated ? code : `(${code})`, says: meaning, quiet: !stated, more: acting([{ code: code ?? '', acts, conflict }]) })),
-    { name: 'This block', code: held.once.map(({ code }) => code).join(' ') || '–', says: held.once.length === 1 ? held.once[0].meaning : '', more: acting(held.once) },
+    { name: 'This block', code: held.once.map(({ code }) => code).join(' ') || '–', says: [held.once.length === 1 ? held.once[0].meaning : '', held.dwell && time(held.dwell.seconds)].filter(Boolean).join(' '), more: acting(held.once) },
   ];
 }
 

@@ -175,7 +175,7 @@ impl TapeTime {
         let mut sentences = Vec::new();
         sentences.push(match (self.executing, self.buffered, self.unbuffered) {
             (Some(alone), Some(buffered), Some(unbuffered)) => format!(
-                "The machine alone takes {}. With the reader at {speed} rows/s it is {} with a block buffer and {} without.",
+                "The machine alone takes {}; with the reader at {speed} rows/s {}, and {} without a block buffer.",
                 duration(alone),
                 duration(buffered),
                 duration(unbuffered)
@@ -206,8 +206,8 @@ impl TapeTime {
             ));
         } else if self.zeros.most() > 0 {
             sentences.push(format!(
-                "The zeros before its numbers take {leading} rows, {} of reading, those behind them {trailing} rows, {}: a \
-                 format may let the one or the other go.",
+                "Zeros before its numbers take {leading} rows, {} of reading, those behind them {trailing} rows, {}; a format \
+                 may let the one or the other go.",
                 saved(leading),
                 saved(trailing)
             ));

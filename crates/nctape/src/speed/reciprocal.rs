@@ -24,9 +24,10 @@ pub fn encode(rate: f64, scale: f64, digits: u16, places: u8) -> Result<Code, No
     let most = greatest(digits).ok_or(NoCode::Digits)?;
     let unit = power_of_ten(places) as f64;
     let exact = rate * scale * unit;
-    // A quotient that is a whole number but for the last bits of its division is that number.
+    // A millionth below a whole number is that number: lengths and feeds are given with so many figures, and no machine
+    // keeps a feed as well.
     let whole = exact.round();
-    let number = if (whole - exact).abs() <= 1e-12 * exact { whole } else { exact.floor() };
+    let number = if (whole - exact).abs() <= 1e-6 * exact { whole } else { exact.floor() };
     if number < 1.0 && rate > 0.0 {
         return Err(NoCode::Below(direct::decode(1, places) / scale));
     }
