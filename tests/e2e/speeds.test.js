@@ -79,7 +79,7 @@ test('the blocks are shown with their times, and those that starve are named', a
 
   // A slow reader.
   await page.locator('#format-button').click();
-  await page.locator('#field-itemized-readerSpeed').fill('20');
+  await page.locator('#field-itemized-readerSpeed').fill('10');
   await quiet(page);
   assert.match(await words.innerText(), /blocks are cut faster than they are read: there the tool stands/);
   assert.match(await page.locator('.times-named').innerText(), /These wait most/);

@@ -6,6 +6,8 @@ import { byId, el, whenQuiet } from '../dom.js';
 
 /** Long enough to type a digit more. */
 const PAUSE = 60;
+/** In per cent: what the figures in the boxes leave open. */
+const EXACT = 1e-4;
 
 /**
  * @param {object} parts
@@ -142,7 +144,7 @@ function rowOf({ title, clause, inForce, code, speed, deviation, note }, address
 /** @param {number} deviation */
 function percent(deviation) {
   const text = deviation.toFixed(1).replace('-', '−');
-  if (Number(deviation.toFixed(1)) === 0) return deviation === 0 ? 'exact' : 'under 0.1 %';
+  if (Number(deviation.toFixed(1)) === 0) return Math.abs(deviation) < EXACT ? 'exact' : 'under 0.1 %';
   return `${deviation > 0 ? '+' : ''}${text} %`;
 }
 

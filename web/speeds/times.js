@@ -59,7 +59,7 @@ export function makeTimes({ store, engine, kinds, show, openFormat, closed }) {
     words.textContent = found.sentences.join(' ');
     const ranked = rank(times);
     const blocks = await Promise.all(ranked.map((index) => engine.ask('block', index)));
-    const links = blocks.flatMap((block) => (block ? [button('small link', blockName(block), () => show(block))] : []));
+    const links = blocks.flatMap((block) => (block ? [button('small link', blockName(block), () => show(placeOf(block)))] : []));
     const anyStarves = ranked.length > 0 && times.starved[ranked[0]] === 1;
     named.replaceChildren(...(links.length > 0 ? [anyStarves ? 'These wait most: ' : 'These take longest: ', ...links] : []));
     redraw();
@@ -111,7 +111,7 @@ export function makeTimes({ store, engine, kinds, show, openFormat, closed }) {
   });
   canvas.addEventListener('click', async (event) => {
     const block = await engine.ask('block', blockAt(/** @type {PointerEvent} */ (event)));
-    if (block) show(block);
+    if (block) show(placeOf(block));
   });
 
   function close() {
@@ -135,6 +135,12 @@ export function makeTimes({ store, engine, kinds, show, openFormat, closed }) {
     toggle: () => open(host.hidden !== false),
   };
 }
+
+/**
+ * A block without its last character, the end of block: behind that begins the next one.
+ * @param {{ from: number, to: number }} block
+ */
+const placeOf = ({ from, to }) => ({ from, to: Math.max(from, to - 1) });
 
 /**
  * The blocks that wait most for the reader; where none does, those that take longest.
