@@ -66,7 +66,7 @@ async function start() {
   ]);
   byId('version', HTMLElement).textContent = `Version ${version.package}`;
   const tapes = presets.filter(({ kind }) => kind === 'tape');
-  const beginning = await begin(tapes);
+  const beginning = await begin(engine, tapes);
   playground = makePlayground({ store, engine, kinds, presets: tapes, beginning });
 }
 

@@ -8,6 +8,7 @@ import { makeFiles } from './files/files.js';
 import { makeHeader } from './header.js';
 import { makeHints } from './hints.js';
 import { makeLayout } from './layout.js';
+import { lazily } from './lazy.js';
 import { makeLearn } from './learn.js';
 import { makeOffer } from './offer.js';
 import { makePlot } from './plot/plot.js';
@@ -21,7 +22,7 @@ import { makeRulePage } from './rule-page.js';
 import { makeShareButton } from './share/button.js';
 import { makeSkip } from './skip.js';
 import { makeName } from './strip/name.js';
-import { followAddress } from './start.js';
+import { followAddress, SHARED } from './start.js';
 import { makeStrip } from './strip/strip.js';
 import { makeThemeButton } from './theme.js';
 import { makeTotals } from './totals.js';
@@ -48,7 +49,7 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
     engine,
     standard: () => store.state.format.standard,
     load(example) {
-      header.keep();
+      header.welcome('Example of a rule');
       replaceAll(editor, example);
       if (layout.narrow()) layout.showTab('program');
       editor.focus();
@@ -98,21 +99,18 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
       editor.focus();
     },
     own: beginning.own,
+    guest: beginning.guest,
   });
   const keepDraft = whenQuiet(() => beginning.drafts.keep(header.draft()), DRAFT);
   window.addEventListener('pagehide', () => beginning.drafts.keep(header.draft()));
   makeShareButton(whole);
-  followAddress((tape) => {
-    header.keep();
+  followAddress(engine, (tape) => {
+    header.welcome(SHARED);
     replaceAll(editor, tape);
   });
   makeThemeButton(store);
-  /** What is behind it is loaded when it is wanted. @type {Promise<{ open(): void }> | null} */
-  let calculator = null;
-  async function openCalculator() {
-    calculator ??= import('./speeds/calculator.js').then(({ makeCalculator }) => makeCalculator({ store, engine }));
-    (await calculator).open();
-  }
+  const calculator = lazily(async () => (await import('./speeds/calculator.js')).makeCalculator({ store, engine }));
+  const openCalculator = async () => (await calculator()).open();
   makeLearn(engine, openCalculator);
   /** @param {import('nctape').Format} format */
   const change = (format) => changeFormat(editor, format);
@@ -163,6 +161,7 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
     if (update.docChanged || update.selectionSet || isNewFormat) replay.handOver(update.docChanged || isNewFormat);
     if (update.docChanged) noteEdit(update);
     if (isNewFormat) store.set({ format });
+    if (update.docChanged || isNewFormat) keepDraft();
     if (update.docChanged || isNewFormat) {
       engine.alter({
         changes: update.docChanged ? update.changes : undefined,
@@ -183,8 +182,8 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
       toSight = transactions.some((one) => one.isUserEvent('input.paste'));
     });
     problems.move(changes);
-    header.name((source) => source.length === state.doc.length && source === state.doc.toString());
-    keepDraft();
+    const byHand = !transactions.some((one) => one.isUserEvent('input.replace'));
+    header.name((source) => source.length === state.doc.length && source === state.doc.toString(), byHand);
   }
 
   /** The tape as it stands, with all that opens it again. */

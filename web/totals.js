@@ -1,5 +1,6 @@
 // The whole tape in numbers: the paper, the motion, the room that it takes.
 import { button, byId, el } from './dom.js';
+import { lazily } from './lazy.js';
 import { blockName } from './plot/words.js';
 import { counted, feet, longLength, metres, shortCoordinate, time, whole } from './words.js';
 
@@ -16,8 +17,7 @@ import { counted, feet, longLength, metres, shortCoordinate, time, whole } from 
  */
 export function makeTotals({ store, engine, kinds, openFormat, show }) {
   const box = byId('totals', HTMLElement);
-  /** What is behind it is loaded when it is wanted. @type {Promise<{ toggle(): boolean }> | null} */
-  let times = null;
+  const times = lazily(async () => (await import('./speeds/times.js')).makeTimes({ store, engine, kinds, show, openFormat, closed }));
   const timesButton = button('small link', 'Block by block', toggleTimes, { 'aria-expanded': 'false', title: 'How long each block takes, beside the time of the reader' });
   /** Why the time is not known. @type {{ sentence: string, field: string | null, block: import('nctape').BlockView | null } | null} */
   let reason = null;
@@ -69,8 +69,7 @@ export function makeTotals({ store, engine, kinds, openFormat, show }) {
   }
 
   async function toggleTimes() {
-    times ??= import('./speeds/times.js').then(({ makeTimes }) => makeTimes({ store, engine, kinds, show, openFormat, closed }));
-    timesButton.setAttribute('aria-expanded', String((await times).toggle()));
+    timesButton.setAttribute('aria-expanded', String((await times()).toggle()));
   }
   function closed() {
     timesButton.setAttribute('aria-expanded', 'false');

@@ -51,14 +51,22 @@ test('what is printed is the listing, its problems and its path, and nothing of 
   const { page, leave } = await visit(started, {
     before: (page) =>
       page.addInitScript(() => {
-        window.print = () => Object.assign(window, { printed: document.querySelector('.sheet')?.cloneNode(true) });
+        window.print = () => {
+          const isSeen = (/** @type {string} */ name) => getComputedStyle(/** @type {Element} */ (document.querySelector(name))).display !== 'none';
+          const sheet = /** @type {Element} */ (document.querySelector('.sheet'));
+          Object.assign(window, { printed: { text: sheet.textContent, seen: [isSeen('.sheet'), isSeen('#app')] } });
+          window.dispatchEvent(new Event('afterprint'));
+        };
       }),
   });
+  await page.emulateMedia({ media: 'print' });
+  assert.equal(await page.locator('#app').isVisible(), true, 'the browser’s own print shows the page');
   await page.locator('#file-button').click();
   await page.locator('#save-print').click();
   await page.waitForFunction(() => 'printed' in window);
-  const printed = await page.evaluate(() => /** @type {any} */ (window).printed.textContent);
-  assert.match(printed, /Format: ISO 2539.*N006\tG02.*Problems8:26 NUM-15 .*Path$/s);
+  const { text, seen } = await page.evaluate(() => /** @type {any} */ (window).printed);
+  assert.deepEqual(seen, [true, false], 'the sheet is seen, and the page is not');
+  assert.match(text, /Format: ISO 2539.*N006\tG02.*Problems8:26 NUM-15 .*Path$/s);
   assert.equal(await page.locator('.sheet').count(), 0, 'gone when it is done');
   await leave();
 });

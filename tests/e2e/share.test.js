@@ -145,3 +145,31 @@ test('in a frame where storage throws it works, and leaves the address alone', a
   assert.ok((await frame.locator('body').evaluate(() => location.hash)).startsWith('#1.'));
   await leave();
 });
+
+test('a shared tape leaves the visitor’s own alone, until it is changed', async () => {
+  const { page, leave } = await visit(started);
+  await page.locator('#share-button').click();
+  const link = await page.locator('#share-link').inputValue();
+  const example = await text(page);
+  await paste(page, OWN);
+  await drafted(page);
+  await page.goto(link);
+  await page.locator('.cm-line').first().waitFor();
+  await drafted(page);
+  await reload(page);
+  assert.equal(await text(page), example);
+  await page.locator('#preset').selectOption('');
+  await quiet(page);
+  assert.equal(await text(page), OWN);
+  await leave();
+});
+
+test('a format that was changed under an example is there after a reload', async () => {
+  const { page, leave } = await visit(started);
+  await page.locator('#format-button').click();
+  await page.locator('#field-detail').fill('N3.G2.XD43.YD43.ZD43.ID43.JD43.F4.M2*');
+  await drafted(page);
+  await reload(page);
+  assert.match(await page.locator('#format-text').innerText(), /XD43/);
+  await leave();
+});

@@ -3,7 +3,9 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { deflateRawSync } from 'node:zlib';
-import { linkOf, readLink } from '../../web/share/link.js';
+import { linkOf, readLink as read } from '../../web/share/link.js';
+
+const readLink = (/** @type {string} */ hash) => read(hash, ['iso2539', 'iso1058', 'rs274']);
 
 const TAPE = {
   source: '%\nN001 G01 X+001000 Y-000500 F0300\nN002 (Größe µ) M30\n',
@@ -48,6 +50,7 @@ test('what is damaged, of another kind or of a version to come is said, and noth
     link({ source: 5, format: TAPE.format }),
     link({ source: 'N001', format: 'iso2539' }),
     link(null),
+    link({ ...TAPE, format: { ...TAPE.format, standard: 'din66025' } }),
     link({ ...TAPE, source: 'N'.repeat(900_000) }),
     link('x'.repeat(20_000_000)),
     link(TAPE, '#2.'),

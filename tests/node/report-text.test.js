@@ -28,6 +28,15 @@ test('a span is a line, and reads back as the numbers of the report', () => {
   assert.deepEqual(rows[0].length, head.length);
 });
 
+test('the centre of an arc is told axis by axis in whatever plane', () => {
+  const format = { ...FORMAT, classification: 'CAM 332', detail: 'N3G2XL42YL42ZL42IL42JL42KL42F4M2*' };
+  const report = check('%\nN001 G00 X+001000 Y+000200 Z+000000\nN002 G18 G02 X+000000 Z-001000 I+000000 K+000000 F0300\nN003 M30\n', format);
+  const [head, , arc] = spansAsTable(report).split('\r\n').map((line) => line.split(','));
+  // By hand: about X 0, Z 0, at the height Y 2 of the plane.
+  assert.deepEqual(['X', 'Y', 'Z'].map((axis) => arc[head.indexOf(`centre ${axis}`)]), ['0', '2', '0']);
+  assert.equal(arc[head.indexOf('plane')], 'zx');
+});
+
 test('what was typed into a tape is text in a spreadsheet and in Markdown', () => {
   const report = check('%\n=1+1|cmd\n', FORMAT);
   const found = problemsAsMarkdown({ ...report, diagnostics: [{ ...report.diagnostics[0], message: 'a *b* <img> [x](y) `c`', count: 3 }] }, 'F');
@@ -35,7 +44,7 @@ test('what was typed into a tape is text in a spreadsheet and in Markdown', () =
   const table = spansAsTable({ ...report, blocks: [{ from: 0, to: 1, sequence: '=HYPERLINK("x")', words: [] }], spans: [
     { kind: 'line', blocks: [0, 0], start: [0, 0, 0], end: [1, 0, -2], length: 1, feed: null, seconds: null },
   ] });
-  assert.match(table, /\r\nline,"'=HYPERLINK\(""x""\)","'=HYPERLINK\(""x""\)",0,0,0,1,0,-2,,,,,1,,,\r\n$/);
+  assert.match(table, /\r\nline,"'=HYPERLINK\(""x""\)","'=HYPERLINK\(""x""\)",0,0,0,1,0,-2,,,,,,1,,,\r\n$/);
 });
 
 test('a tape without a problem says so', () => {

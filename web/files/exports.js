@@ -62,9 +62,13 @@ export function makeExports({ store, engine, source }) {
       );
       document.body.append(sheet);
       await shown?.decode().catch(() => {});
+      // Where print() does not wait, the sheet must stay until it is on paper.
+      const done = () => {
+        sheet.remove();
+        if (address !== null) URL.revokeObjectURL(address);
+      };
+      window.addEventListener('afterprint', done, { once: true });
       window.print();
-      sheet.remove();
-      if (address !== null) URL.revokeObjectURL(address);
     },
   };
 }

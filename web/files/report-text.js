@@ -31,7 +31,7 @@ const escaped = (text) => text.replace(/[\\`*_[\]<>|#]/g, '\\$&');
 export function spansAsTable({ spans, axes, unit, blocks }) {
   const ends = (/** @type {string} */ end) => axes.map((axis) => `${end} ${axis}`);
   const head = [
-    'kind', 'first block', 'last block', ...ends('start'), ...ends('end'), 'plane', 'centre 1', 'centre 2', 'sweep rad',
+    'kind', 'first block', 'last block', ...ends('start'), ...ends('end'), 'plane', 'centre X', 'centre Y', 'centre Z', 'sweep rad',
     `length ${unit}`, `feed ${unit}/min`, 'seconds', 'stand-in',
   ];
   const rows = spans.map((span) => [
@@ -40,7 +40,7 @@ export function spansAsTable({ spans, axes, unit, blocks }) {
     ...span.start,
     ...span.end,
     span.plane,
-    ...centreInPlane(span),
+    ...[0, 1, 2].map((axis) => span.centre?.[axis]),
     span.sweep,
     span.length,
     span.feed,
@@ -49,9 +49,6 @@ export function spansAsTable({ spans, axes, unit, blocks }) {
   ]);
   return [head, ...rows].map((row) => row.map(field).join(',')).join('\r\n') + '\r\n';
 }
-
-/** The centre is told with its two coordinates. @param {import('nctape').Span} span */
-const centreInPlane = ({ centre }) => [centre?.[0], centre?.[1]];
 
 /**
  * RFC 4180: quoted where it has a comma or a quote. What a spreadsheet would take for a formula is text.

@@ -1,5 +1,6 @@
 // Saves the tape to this machine: as a listing, as rows of holes, as a picture.
 import { byId } from '../dom.js';
+import { lazily } from '../lazy.js';
 import { notice } from '../notice.js';
 import { counted, whole } from '../words.js';
 import { give } from './give.js';
@@ -48,13 +49,11 @@ export function makeSave({ store, engine, source, close }) {
     close();
   });
 
-  /** @type {Promise<ReturnType<typeof import('./exports.js').makeExports>> | null} */
-  let exports = null;
+  const exports = lazily(async () => (await import('./exports.js')).makeExports({ store, engine, source }));
   for (const name of /** @type {const} */ (['path', 'spans', 'report', 'problems', 'print'])) {
     byId(`save-${name}`, HTMLElement).addEventListener('click', async () => {
       close();
-      exports ??= import('./exports.js').then(({ makeExports }) => makeExports({ store, engine, source }));
-      await (await exports)[name]();
+      await (await exports())[name]();
     });
   }
 

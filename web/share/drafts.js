@@ -5,7 +5,13 @@ import { forget, names, recall, remember } from '../storage.js';
 import { wholeOf } from './whole.js';
 
 /** @typedef {import('./whole.js').Whole} Whole */
-/** @typedef {{ own: Whole | null, example: string | null }} Draft  the visitor's tape, and the example that was open in its place */
+/**
+ * @typedef {object} Draft
+ * @property {Whole | null} own  the visitor's tape
+ * @property {Whole | null} shown  another that is open in its place
+ * @property {string | null} guest  what that is called
+ * @property {string | null} example  the example that is open in its place, as it comes
+ */
 
 const PREFIX = 'draft.';
 /** Drafts of windows that were closed. */
@@ -14,9 +20,13 @@ const MOST_KEPT = 5;
 const MOST_CHARACTERS = 500_000;
 
 export class Drafts {
-  /** @param {(words: string) => void} say  once, where drafts cannot be kept */
-  constructor(say) {
+  /**
+   * @param {(words: string) => void} say  once, where drafts cannot be kept
+   * @param {string[]} standards  that a format may follow
+   */
+  constructor(say, standards) {
     this.say = say;
+    this.standards = standards;
     this.said = false;
     /** Of this window; empty where it keeps no draft. */
     this.name = '';
@@ -25,23 +35,40 @@ export class Drafts {
   /** What this window kept before it was loaded anew, and what another one left behind. */
   async open() {
     this.name = await nameOfWindow();
-    const all = names(PREFIX).map((name) => ({ name, draft: read(name) }));
+    const all = names(PREFIX).map((name) => ({ name, draft: this.read(name) }));
     const mine = all.find(({ name }) => name === PREFIX + this.name)?.draft ?? null;
     const others = all.filter(({ name }) => name !== PREFIX + this.name).sort((a, b) => (b.draft?.time ?? 0) - (a.draft?.time ?? 0));
-    for (const { name } of others.slice(MOST_KEPT)) forget(name);
+    const open = await namesOfWindows();
+    const closed = others.filter(({ name }) => !open.includes(name.slice(PREFIX.length)));
+    for (const { name } of closed.slice(MOST_KEPT)) forget(name);
     return { mine, last: others.find(({ draft }) => draft !== null && draft.own !== null)?.draft ?? null };
   }
 
-  /** @param {Draft} draft */
-  keep({ own, example }) {
-    if (this.name === '') return;
-    if (own === null && example === null) {
-      forget(PREFIX + this.name);
-      return;
+  /**
+   * @private
+   * @param {string} name
+   * @returns {(Draft & { time: number }) | null}
+   */
+  read(name) {
+    try {
+      const { own, shown, guest, example, time } = JSON.parse(recall(name) ?? 'null');
+      const [whole, other] = [own, shown].map((found) => wholeOf(found, this.standards));
+      return { own: whole, shown: other, guest: wordOf(guest), example: wordOf(example), time: Number(time) || 0 };
+    } catch {
+      return null;
     }
-    const isLong = own !== null && own.source.length > MOST_CHARACTERS;
-    const kept = !isLong && remember(PREFIX + this.name, JSON.stringify({ own, example, time: Date.now() }));
-    if (kept || this.said) return;
+  }
+
+  /** @param {Draft} draft */
+  keep(draft) {
+    if (this.name === '') return;
+    const { own, shown, example } = draft;
+    const isLong = (own?.source.length ?? 0) + (shown?.source.length ?? 0) > MOST_CHARACTERS;
+    const nothing = own === null && shown === null && example === null;
+    const kept = !isLong && !nothing && remember(PREFIX + this.name, JSON.stringify({ ...draft, time: Date.now() }));
+    // An older one would come back as if it were this one.
+    if (!kept) forget(PREFIX + this.name);
+    if (kept || nothing || this.said) return;
     this.said = true;
     this.say(
       isLong
@@ -51,16 +78,16 @@ export class Drafts {
   }
 }
 
-/**
- * @param {string} name
- * @returns {(Draft & { time: number }) | null}
- */
-function read(name) {
+/** @param {unknown} word */
+const wordOf = (word) => (typeof word === 'string' ? word : null);
+
+/** Those that hold a name now. @returns {Promise<string[]>} */
+async function namesOfWindows() {
   try {
-    const { own, example, time } = JSON.parse(recall(name) ?? 'null');
-    return { own: wholeOf(own), example: typeof example === 'string' ? example : null, time: Number(time) || 0 };
+    const { held = [] } = await navigator.locks.query();
+    return held.map(({ name = '' }) => name.replace('nctape.window.', ''));
   } catch {
-    return null;
+    return [];
   }
 }
 

@@ -26,9 +26,10 @@ export async function linkOf({ source, format, cursor }) {
 /**
  * The tape of a link; null where the address holds none.
  * @param {string} hash  of the address
+ * @param {string[]} standards  that a format may follow
  * @returns {Promise<{ tape: Whole } | { trouble: string } | null>}
  */
-export async function readLink(hash) {
+export async function readLink(hash, standards) {
   const version = /^#(\d+)\./.exec(hash);
   if (version === null) return null;
   if (version[1] !== '1') return { trouble: `It is of version ${version[1]}, which this page does not know yet.` };
@@ -37,7 +38,7 @@ export async function readLink(hash) {
     const packed = Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
     const text = await through(packed, new DecompressionStream('deflate-raw'), 4 * MOST_TEXT);
     const found = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(text));
-    const tape = wholeOf(found);
+    const tape = wholeOf(found, standards);
     return tape === null ? { trouble: 'What it holds is no tape with its format.' } : { tape };
   } catch (error) {
     return { trouble: error instanceof TooMuch ? 'It holds more than a tape.' : 'It is damaged: some of its characters are missing or changed.' };

@@ -8,12 +8,14 @@ export const MOST_TEXT = 800_000;
 /**
  * What was read, if it is a tape; nothing of it is taken but what belongs to one.
  * @param {any} found
+ * @param {string[]} standards  that a format may follow
  * @returns {Whole | null}
  */
-export function wholeOf(found) {
+export function wholeOf(found, standards) {
   if (typeof found !== 'object' || found === null) return null;
   const { source, format, cursor } = found;
   if (typeof source !== 'string' || source.length > MOST_TEXT) return null;
-  if (typeof format !== 'object' || format === null || typeof format.standard !== 'string' || typeof format.detail !== 'string') return null;
+  if (typeof format !== 'object' || format === null || typeof format.detail !== 'string') return null;
+  if (!standards.includes(format.standard)) return null;
   return { source, format, cursor: Number.isInteger(cursor) && cursor >= 0 ? cursor : 0 };
 }
