@@ -34,7 +34,7 @@ pub fn flatten(spans: &[Span], range: Range<usize>, tolerance: f64) -> Points {
     let mut points = Points::default();
     for (index, span) in spans.iter().enumerate().take(range.end).skip(range.start) {
         let most = if points.span.len() < MOST_POINTS { MOST_CHORDS } else { 1 };
-        flatten_span(span, tolerance, most, &mut |point| {
+        span_points(span, tolerance, most, &mut |point| {
             points.xyz.extend_from_slice(&point);
             points.span.push(index as u32);
         });
@@ -42,8 +42,13 @@ pub fn flatten(spans: &[Span], range: Range<usize>, tolerance: f64) -> Points {
     points
 }
 
-/// Gives the points of one span, its start first.
-fn flatten_span(span: &Span, tolerance: f64, most: usize, give: &mut impl FnMut([f64; 3])) {
+/// Gives the points of one span, its start first and its end last. No point of its curve is further from the lines
+/// between them than `tolerance`, a positive length in the unit of the format; nothing is allocated.
+pub fn flatten_span(span: &Span, tolerance: f64, give: &mut impl FnMut([f64; 3])) {
+    span_points(span, tolerance, MOST_CHORDS, give);
+}
+
+fn span_points(span: &Span, tolerance: f64, most: usize, give: &mut impl FnMut([f64; 3])) {
     give(span.start);
     match span.geometry {
         Geometry::Line => {}

@@ -432,13 +432,13 @@ itemized! {
     /// How I, J, K give a point.
     arc_centre: ArcCentre, "arcCentre", "Interpolation", "Reading of I, J, K", "like the dimensions (figure 2)", "How the centre of an arc, or the tangent intersection point or focus of a parabola, is given. The standard contradicts itself: its figure 2 has centre minus start, its annex E start minus centre.";
     /// What I, J, K say of a parabola.
-    parabola_parameters: ParabolaParameters, "parabolaParameters", "Interpolation", "Parabola parameters", "the tangent intersection point", "What I, J and K say of a parabola.";
+    parabola_parameters: ParabolaParameters, "parabolaParameters", "Interpolation", "Parabola parameters", "the tangent intersection point", "What I, J and K say of a parabola. Slopes are those of the second axis of the plane over the first.";
     /// A third axis may move in an arc block.
     helix: bool, "helix", "Interpolation", "Helix", "where the third digit of the classification is 3 or more", "Whether a third axis may move in an arc block.";
     /// End equal to start is a full circle.
     full_circle: bool, "fullCircle", "Interpolation", "Full circle", "yes, with a note", "Whether an arc that ends where it starts is a full circle.";
     /// Curves of higher order.
-    curves: BTreeMap<String, CurveKind>, "curves", "Interpolation", "Higher-order curves", "none", "G codes for curves through points in successive blocks (4.2.4).";
+    curves: BTreeMap<String, CurveKind>, "curves", "Interpolation", "Higher-order curves", "none", "G codes for curves of higher order (4.2.4): a cubic runs through the points of three successive blocks.";
 
     /// Coding of F.
     feed: FeedCoding, "feed", "Speeds", "Feed coding", "direct; ISO 1058: by the digits of F", "How an F word says the feed (annex A).";

@@ -129,6 +129,7 @@ pub static ALL: &[&Rule] = &[
     &motion::skewed_parabola::RULE,
     &motion::idle_parameter::RULE,
     &motion::no_motion::RULE,
+    &motion::open_path::RULE,
     &motion::overflow::RULE,
     &motion::undetermined_arc::RULE,
     &feed::short_reciprocal::RULE,
@@ -294,6 +295,7 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     motion::too_many_axes::check_positioning(tape, sink);
     motion::full_circle::check(tape, sink);
     motion::no_motion::check(tape, sink);
+    motion::open_path::check(tape, sink);
     feed::no_own_feed::check(tape, sink);
     feed::coarse_reciprocal::check(tape, sink);
     feed::arc_feed_not_stated::check(tape, sink);

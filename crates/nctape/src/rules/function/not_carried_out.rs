@@ -29,7 +29,7 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         let declared = tape.control.format.itemized.declared.as_ref();
         let meaning = match preparatory(code) {
             Preparatory::Assigned(_, meaning) => meaning,
-            _ => declared.and_then(|declared| declared.g.get(&name)).map_or("curve", String::as_str),
+            _ => declared.and_then(|declared| declared.g.get(&name)).map_or("declared", String::as_str),
         };
         let message = if code == 4 && tape.control.format.itemized.dwell.is_none() {
             "G04 (Dwell) is read and checked, but the format does not state which word says how long: times here leave it \

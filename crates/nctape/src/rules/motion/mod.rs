@@ -5,6 +5,7 @@ pub(crate) mod full_circle;
 pub(crate) mod idle_parameter;
 pub(crate) mod leaves_quadrant;
 pub(crate) mod no_motion;
+pub(crate) mod open_path;
 pub(crate) mod other_reading;
 pub(crate) mod other_way;
 pub(crate) mod out_of_plane;
