@@ -1,5 +1,6 @@
 //! What holds for every text, every format and every span.
 
+use nctape::convert::{Dialect, to_decimal};
 use nctape::format::{
     ArcCentre, ArcFeed, ArcParameters, CurveKind, Detail, Dimensions, FeedCoding, Itemized, ParabolaParameters, Places,
     Plane, TapeCode, explain,
@@ -109,6 +110,30 @@ proptest! {
             prop_assert!(field.is_none_or(|field| field == found.text), "{:?}", found);
             prop_assert!(found.text.get(found.diagnostic.range.clone()).is_some(), "{:?}", found);
         }
+    }
+
+    #[test]
+    fn any_text_is_converted_to_lines_that_a_control_can_read(text in text(), format in format()) {
+        let converted = to_decimal(&text, &format, Dialect::LinuxCnc);
+        prop_assert!(converted.text.starts_with("%\n") && converted.text.ends_with("\n%\n"));
+        for line in converted.text.lines() {
+            // LinuxCNC reads up to 255 characters; a comment ends on its line and holds no other.
+            prop_assert!(line.len() < 255, "{line}");
+            let (open, close) = (line.matches('(').count(), line.matches(')').count());
+            prop_assert!(open == close && open < 2, "{line}");
+            let words = line.split('(').next().unwrap_or("");
+            prop_assert!(!words.contains("NaN") && !words.contains("inf") && !words.contains('e'), "{line}");
+        }
+        let mut end = 0;
+        for (from, to) in &converted.map {
+            prop_assert!(text.get(from.clone()).is_some() && converted.text.get(to.clone()).is_some());
+            prop_assert!(to.start >= end || to.end == end, "{:?}", converted.map);
+            end = to.end;
+        }
+        for found in &converted.diagnostics {
+            prop_assert!(text.get(found.range.clone()).is_some(), "{} at {:?}", found.id, found.range);
+        }
+        prop_assert!(converted.diagnostics.windows(2).all(|pair| pair[0].range.start <= pair[1].range.start));
     }
 
     #[test]

@@ -5,6 +5,8 @@
 //! last line has no line end. Formats stand for all tapes that follow, up to the next format behind a tape. A rule on
 //! the format itself has ` ```json bad PATH "text at fault" ` and ` ```json good ` instead.
 //!
+//! A rule of the family CONV is about a conversion: its tapes are converted, and what that reports is looked at.
+//!
 //! `catalogue.csv` beside them lists every demand of the standards that was looked at, and what became of it.
 //!
 //! `cargo test -p nctape --test rules -- number` runs one family.
@@ -12,6 +14,7 @@
 #[path = "support/page.rs"]
 mod page;
 
+use nctape::convert::{Dialect, to_decimal};
 use nctape::format::{FormatDiagnostic, explain, explain_read};
 use nctape::rules::{ALL, Rule};
 use nctape::{Diagnostic, Format, Severity, Standard, Tape};
@@ -27,7 +30,7 @@ macro_rules! families {
 
 families! {
     tape: "TAPE", control: "CTRL", skip: "SKIP", sequence: "SEQ", word: "WORD", tab: "TAB", number: "NUM",
-    function: "FUN", motion: "MOT", feed: "FEED", compensation: "COMP", format: "SPEC",
+    function: "FUN", motion: "MOT", feed: "FEED", compensation: "COMP", conversion: "CONV", format: "SPEC",
 }
 
 #[test]
@@ -151,9 +154,8 @@ impl TapeExample {
 fn check_tape(rule: &'static Rule, example: &TapeExample, under: &FormatExample) -> Vec<String> {
     let mut faults: Vec<String> =
         judge(under).iter().filter(|found| weighs(&found.diagnostic)).map(told_of_format).collect();
-    let tape = Tape::new(&example.text, &under.format);
-    let found = tape.diagnostics();
-    let (own, others): (Vec<_>, Vec<_>) = found.iter().partition(|found| found.rule.name == rule.name);
+    let all = found_in(rule, &example.text, &under.format);
+    let (own, others): (Vec<_>, Vec<_>) = all.iter().partition(|found| found.rule.name == rule.name);
     faults.extend(others.iter().filter(|found| weighs(found)).map(|found| told(found, &example.text)));
     if !example.bad || own.len() != example.marks.len() {
         faults.extend(own.iter().map(|found| told(found, &example.text)));
@@ -178,19 +180,26 @@ fn check_tape(rule: &'static Rule, example: &TapeExample, under: &FormatExample)
         }
         for fix in &found.fixes {
             let (text, format) = fixed(fix, &example.text, &under.format);
-            let after = Tape::new(&text, &format);
-            let weight = |tape: &Tape| -> usize {
-                tape.diagnostics().iter().filter(|found| found.rule.name == rule.name).map(|found| found.count).sum()
+            let weight = |found: &[Diagnostic]| -> usize {
+                found.iter().filter(|found| found.rule.name == rule.name).map(|found| found.count).sum()
             };
-            let found = after.diagnostics();
-            let new = found.iter().filter(|found| weighs(found) && found.rule.name != rule.name);
-            if weight(&after) >= weight(&tape) {
+            let after = found_in(rule, &text, &format);
+            let new = after.iter().filter(|found| weighs(found) && found.rule.name != rule.name);
+            if weight(&after) >= weight(&all) {
                 faults.push(format!("the fix {:?} does not remove the finding; it gives {text:?}", fix.title));
             }
             faults.extend(new.map(|found| format!("the fix {:?} leads to {}", fix.title, told(found, &text))));
         }
     }
     faults
+}
+
+/// What is found in a tape: by checking it, or by converting it where the rule is of that.
+fn found_in(rule: &Rule, text: &str, format: &Format) -> Vec<Diagnostic> {
+    match rule.family() {
+        "CONV" => to_decimal(text, format, Dialect::LinuxCnc).diagnostics,
+        _ => Tape::new(text, format).diagnostics(),
+    }
 }
 
 fn check_format(rule: &'static Rule, example: &FormatExample) -> Vec<String> {

@@ -53,6 +53,8 @@ mod order;
 
 mod tape;
 
+pub mod convert;
+
 mod suggest;
 
 pub mod presets;

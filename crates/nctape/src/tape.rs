@@ -111,14 +111,7 @@ impl Tape {
 
     /// Checks the tape as a whole.
     fn check(&mut self) {
-        let view = TapeView {
-            text: &self.text,
-            control: &self.control,
-            reading: &self.reading,
-            execution: &self.execution,
-            other: self.other.as_ref(),
-            seen: self.reading.traits(),
-        };
+        let view = self.view();
         let mut found = Vec::new();
         let mut sink = Sink::new(self.control.standard(), &mut found);
         let foreign = rules::foreign_text::check(&view, &mut sink);
@@ -126,6 +119,18 @@ impl Tape {
             rules::check_tape(&view, &mut sink);
         }
         self.findings = Findings::new(found, &self.reading, &self.execution, foreign);
+    }
+
+    /// The tape as the rules see it.
+    pub(crate) fn view(&self) -> TapeView<'_> {
+        TapeView {
+            text: &self.text,
+            control: &self.control,
+            reading: &self.reading,
+            execution: &self.execution,
+            other: self.other.as_ref(),
+            seen: self.reading.traits(),
+        }
     }
 
     /// The text.

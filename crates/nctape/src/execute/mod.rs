@@ -14,6 +14,7 @@ mod emit;
 mod event;
 mod execution;
 mod feed;
+mod follow;
 mod mark;
 mod motion;
 pub(crate) mod parabola;
@@ -31,6 +32,7 @@ pub use course::{Course, Step, Stop};
 pub(crate) use event::{Event, EventKind, Several};
 pub(crate) use execution::execute;
 pub use execution::{Execution, Kept};
+pub(crate) use follow::{FeedInForce, Follow, Step as Followed};
 pub(crate) use parabola::ParabolaFault;
 pub use registers::{Dwelling, Modal, Named, Rate, Registers, Turning};
 pub(crate) use timetable::cut_and_read;
@@ -43,6 +45,7 @@ pub(crate) use walk::ends_program;
 use crate::function::Group;
 use crate::read::{Block, Traits, Word};
 use position::Position;
+pub(crate) use state::in_unit;
 use state::{Mode, State};
 
 /// What a control holds for later blocks.

@@ -476,7 +476,7 @@ impl<'a> State<'a> {
 }
 
 /// A position of an axis in the unit of the format.
-pub(super) fn in_unit(axis: &Axis, increments: i64) -> f64 {
+pub(crate) fn in_unit(axis: &Axis, increments: i64) -> f64 {
     increments as f64 / power_of_ten(axis.decimals) as f64
 }
 

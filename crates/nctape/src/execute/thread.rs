@@ -18,23 +18,26 @@ impl State<'_> {
         matches!(self.motion, Some(Motion::Thread { .. }))
     }
 
-    /// Minutes for a thread of a length from one position to the target: its revolutions over the spindle speed. Each of
-    /// I, J and K is the lead along X, Y and Z; where several are given the axis that needs most revolutions says how
-    /// many, so that none exceeds its lead. Under G34 and G35 the lead changes by an amount that the builder states
-    /// somewhere else, and the time is not known.
+    /// Minutes for a thread of a length from one position to the target: its revolutions over the spindle speed.
     pub(super) fn thread_minutes(&self, start: &[i64], length: f64) -> Option<f64> {
+        let speed = self.speed.filter(|speed| *speed > 0.0)?;
+        Some(self.thread_turns(start, length)? / speed)
+    }
+
+    /// Revolutions for a thread of a length from one position to the target. Each of I, J and K is the lead along X, Y
+    /// and Z; where several are given the axis that needs most revolutions says how many, so that none exceeds its lead.
+    /// Under G34 and G35 the lead changes by an amount that the builder states somewhere else, and they are not known.
+    pub(super) fn thread_turns(&self, start: &[i64], length: f64) -> Option<f64> {
         if self.motion != Some(Motion::Thread { constant: true }) {
             return None;
         }
-        let speed = self.speed.filter(|speed| *speed > 0.0)?;
         let turns_of = |axis: usize| {
             let lead = number::in_unit(self.control, b"IJK"[axis], self.leads[axis]).abs();
             let way = (self.in_unit(axis, self.target[axis]) - self.in_unit(axis, start[axis])).abs();
             (lead > 0.0 && way > 0.0).then(|| way / lead)
         };
         let by_leads = (0..3).filter_map(turns_of).reduce(f64::max);
-        let turns = by_leads.or_else(|| self.turns_by_feed(length).filter(|_| self.leads == [0; 3]))?;
-        Some(turns / speed)
+        by_leads.or_else(|| self.turns_by_feed(length).filter(|_| self.leads == [0; 3]))
     }
 
     /// The revolutions of a thread whose lead stands in F. ISO 1058 has no I, J and K, and counts F in millimetres per

@@ -29,7 +29,7 @@ pub use itemized::{
 pub use places::Places;
 pub use reading::Malformed;
 
-use choice::choices;
+pub(crate) use choice::choices;
 
 choices! {
     /// The standard that a format follows.

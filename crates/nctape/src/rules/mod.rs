@@ -6,6 +6,7 @@
 
 pub(crate) mod comment;
 pub(crate) mod compensation;
+pub(crate) mod conversion;
 pub(crate) mod feed;
 pub(crate) mod foreign_text;
 pub(crate) mod format;
@@ -179,6 +180,14 @@ pub static ALL: &[&Rule] = &[
     &format::stray_character::RULE,
     &format::empty_detail::RULE,
     &format::idle_value::RULE,
+    &conversion::span_not_converted::RULE,
+    &conversion::function_left_out::RULE,
+    &conversion::word_left_out::RULE,
+    &conversion::cut_without_feed::RULE,
+    &conversion::skip_is_fixed::RULE,
+    &conversion::end_as_stop::RULE,
+    &conversion::unreached_left_out::RULE,
+    &conversion::curve_as_chords::RULE,
     &row::parity::RULE,
     &row::unknown::RULE,
     &row::blank::RULE,

@@ -12,11 +12,25 @@ pub static RULE: Rule = Rule {
     page: page!("SKIP-03"),
 };
 
-/// The tape is executed with the switch both ways. Behind the first block that cannot be skipped, after one that can,
-/// the control should hold the same; where it does not, the blocks before it that can be skipped are at fault.
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    let Some(other) = tape.other else { return };
-    check_ends(tape, sink);
+    if tape.other.is_some() {
+        check_ends(tape, sink);
+    }
+    for (block, what) in changes(tape) {
+        let message = format!(
+            "Whether this block is skipped changes {what} for the blocks behind it. Give there again what they rest on, or \
+             skip what undoes it too."
+        );
+        sink.report(&RULE, tape.extent(block), message);
+    }
+}
+
+/// The blocks whose skipping changes what follows, and what it changes. The tape is executed with the switch both ways.
+/// Behind the first block that cannot be skipped, after one that can, the control should hold the same; where it does
+/// not, the blocks before it that can be skipped are at fault.
+pub(crate) fn changes(tape: &TapeView<'_>) -> Vec<(usize, String)> {
+    let mut changes = Vec::new();
+    let Some(other) = tape.other else { return changes };
     let held = |index: usize| other.held.binary_search_by_key(&index, |held| held.0).map(|at| &other.held[at].1);
     // What only one of them executes is no matter here.
     let pairs = tape.execution.held.iter().filter_map(|(index, one)| Some((*index, one, held(*index).ok()?)));
@@ -26,16 +40,12 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         let differs = one != another;
         let skipped = (before..index).find(|&block| tape.reading.blocks[block].skip);
         if let (true, false, Some(block)) = (differs, differed, skipped) {
-            let message = format!(
-                "Whether this block is skipped changes {} for the blocks behind it. Give there again what they rest on, \
-                 or skip what undoes it too.",
-                what(tape, one, another)
-            );
-            sink.report(&RULE, tape.extent(block), message);
+            changes.push((block, what(tape, one, another)));
         }
         differed = differs;
         before = index + 1;
     }
+    changes
 }
 
 /// An end of program that can be skipped: the blocks behind it are executed, or are not.
