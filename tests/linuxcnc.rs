@@ -310,7 +310,7 @@ fn distance(span: &Span, point: [f64; 3]) -> f64 {
         let s = 1.0 - t;
         s * s * span.start[axis] + 2.0 * s * t * tangent[axis] + t * t * span.end[axis]
     };
-    let off = |t: f64| (0..3).map(|axis| (at(t, axis) - point[axis]).powi(2)).sum::<f64>().sqrt();
+    let off = |t: f64| (0..3).map(|axis| at(t, axis) - point[axis]).fold(0.0, libm::hypot);
     let (mut best, mut step) = (0.0, 0.01);
     for t in (0..=100).map(|part| f64::from(part) / 100.0) {
         best = if off(t) < off(best) { t } else { best };

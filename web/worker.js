@@ -78,6 +78,7 @@ const facts = {
   encode: nctape.encode,
   check: nctape.check,
   tapeDrawing: nctape.tapeDrawing,
+  toDecimal: nctape.toDecimal,
   tapePicture,
   /**
    * The 256 columns of tape as one picture.

@@ -230,6 +230,21 @@ test('the listing is saved as it stands', async () => {
   await leave();
 });
 
+test('the tape is saved as G-code for LinuxCNC, and what that lacks is said', async () => {
+  const { page, leave } = await visit(started);
+  const { name, bytes } = await saved(page, '#save-decimal');
+  assert.equal(name, 'tape.ngc');
+  assert.match(bytes.toString(), /^%\n\(For LinuxCNC[^]*\nN006 G2 X45\.000 Y55\.000 I14\.142 J-14\.142 F19\n[^]*%\n$/);
+  assert.ok(await page.locator('#notice').isHidden(), 'nothing is lacking');
+
+  await page.locator('#preset').selectOption('annex-d-boring');
+  await page.waitForFunction(() => document.querySelector('.cm-content')?.textContent?.includes('M06'));
+  const lacking = await saved(page, '#save-decimal');
+  assert.match(lacking.bytes.toString(), /\n\(LEFT OUT: B1\)\n/);
+  assert.match(await page.locator('#notice').innerText(), /tape\.ngc is saved, with 1 remark\. B1 and 2 other words/);
+  await leave();
+});
+
 test('the picture of the tape is true to scale and holds every hole', async () => {
   const { page, leave } = await visit(started);
   const { name, bytes } = await saved(page, '#save-picture');

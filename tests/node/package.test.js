@@ -60,6 +60,43 @@ test("the test vector of annex E, byte for byte", () => {
   );
 });
 
+test("a tape is converted to decimal G-code, and linked block by block", () => {
+  const { source, format } = preset("annex-e-circular");
+  const { text, diagnostics, map } = nctape.toDecimal(source, format, "linuxcnc");
+  assert.ok(text.includes("\nG21 G17 G90 G91.1 "), text);
+  assert.ok(text.includes("\nN006 G2 X45.000 Y55.000 I14.142 J-14.142 F19\n"), text);
+  assert.deepEqual(diagnostics, []);
+  assert.equal(map.length, nctape.check(source, format).blocks.length);
+  for (const [from, to, textFrom, textTo] of map) {
+    const sequence = source.slice(from, to).slice(0, 4);
+    assert.ok(text.slice(textFrom, textTo).startsWith(sequence), `${sequence} in ${text.slice(textFrom, textTo)}`);
+  }
+});
+
+test("what cannot be converted is said, with offsets in UTF-16", () => {
+  const { format } = preset("annex-d-boring");
+  const source = "%\n(\u{1F600})N001 G00 X+001000 B1 M30\n";
+  const { text, diagnostics, map } = nctape.toDecimal(source, format, "linuxcnc");
+  assert.deepEqual(diagnostics.map(({ rule, severity }) => [rule, severity]), [["CONV-03", "warning"]]);
+  assert.equal(source.slice(diagnostics[0]?.from, diagnostics[0]?.to), "B1");
+  assert.ok(text.includes("(\u{1F600})\n(LEFT OUT: B1)\nN001 G0 X10.00\nM30\n"), text);
+  const [[from, to, textFrom, textTo] = [0, 0, 0, 0]] = map;
+  assert.ok(source.slice(from, to).endsWith("M30\n"));
+  assert.ok(text.slice(textFrom, textTo).endsWith("M30\n"));
+  assert.deepEqual(nctape.toDecimal("", format, "linuxcnc").map, []);
+});
+
+test("an unknown dialect is a TypeError that names its field", () => {
+  const { source, format } = preset("annex-e-circular");
+  for (const dialect of ["fanuc", "", null, 7]) {
+    assert.throws(
+      // @ts-expect-error: that is what is tried
+      () => nctape.toDecimal(source, format, dialect),
+      (error) => error instanceof TypeError && "field" in error && error.field === "dialect",
+    );
+  }
+});
+
 test("options leave out what is not wanted, and the limit is kept", () => {
   const { format } = preset("annex-e-circular");
   const report = nctape.check("%\n" + "N001 #\n".repeat(20), format, { blocks: false, spans: false, limit: 5 });

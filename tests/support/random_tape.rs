@@ -242,7 +242,7 @@ impl Writer {
         let centre = [start[first] + self.length(30), start[second] + self.length(30)];
         let from = [(start[first] - centre[0]) as f64, (start[second] - centre[1]) as f64];
         let radius = libm::hypot(from[0], from[1]);
-        if radius < 0.5 * 10_f64.powi(self.places() as i32) {
+        if radius < 0.5 * 10_i64.pow(self.places()) as f64 {
             return;
         }
         let full = self.numbers.below(8) == 0;
@@ -277,7 +277,7 @@ impl Writer {
         let centre = [start[first] + self.length(40), start[second] + self.length(40)];
         let from = [(start[first] - centre[0]) as f64, (start[second] - centre[1]) as f64];
         let radius = libm::hypot(from[0], from[1]);
-        if radius < 5.0 * 10_f64.powi(self.places() as i32) {
+        if radius < 5.0 * 10_i64.pow(self.places()) as f64 {
             return;
         }
         let turn = 0.5 + self.numbers.below(450) as f64 / 100.0;
@@ -309,7 +309,7 @@ impl Writer {
             let (end, corner) = (side(to), side(tangent));
             end[0] * corner[1] - end[1] * corner[0]
         };
-        if cross.abs() < 25.0 * 10_f64.powi(2 * self.places() as i32) {
+        if cross.abs() < 25.0 * 10_i64.pow(2 * self.places()) as f64 {
             return;
         }
         let words = self.go(to, if self.skippable { &[0, 1, 2] } else { &axes });

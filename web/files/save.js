@@ -1,4 +1,4 @@
-// Saves the tape to this machine: as a listing, as rows of holes, as a picture.
+// Saves the tape to this machine: as a listing, as rows of holes, for a control of today, as a picture.
 import { byId } from '../dom.js';
 import { lazily } from '../lazy.js';
 import { notice } from '../notice.js';
@@ -35,6 +35,13 @@ export function makeSave({ store, engine, source, close }) {
     give(new Blob([await rows()], { type: 'application/octet-stream' }), named('bin'));
     close();
   });
+  byId('save-decimal', HTMLElement).addEventListener('click', async () => {
+    const { text, diagnostics } = await engine.fact('toDecimal', source(), store.state.format, 'linuxcnc');
+    give(new Blob([text], { type: 'text/plain' }), named('ngc'));
+    const said = diagnostics.map(({ message }) => message);
+    if (said.length > 0) notice(lacking(named('ngc'), said));
+    close();
+  });
   byId('save-picture', HTMLElement).addEventListener('click', async () => {
     const all = await rows();
     give(await engine.fact('tapePicture', all), named('png'));
@@ -68,4 +75,20 @@ export function makeSave({ store, engine, source, close }) {
           : `${tape}, and before them ${counted(leader.length, 'row')} with your name; one byte a row, track 1 the lowest bit.`;
     },
   };
+}
+
+/** As much as can be read at a glance: the file itself marks every place. */
+const MOST_SENTENCES = 3;
+
+/**
+ * What a saved file lacks.
+ * @param {string} name
+ * @param {string[]} sentences  one at least
+ */
+function lacking(name, sentences) {
+  const shown = sentences.slice(0, MOST_SENTENCES);
+  const rest = sentences.length - shown.length;
+  return [`${name} is saved, with ${counted(sentences.length, 'remark')}.`, ...shown, rest > 0 ? `And ${rest} more.` : '']
+    .join(' ')
+    .trim();
 }

@@ -217,6 +217,18 @@ export interface DecodeOptions {
   /** Count the characters of each block, as a control with TV check does: false. */
   countBlocks?: boolean;
 }
+/** What a conversion gave. */
+export interface Converted {
+  text: string;
+  /** What could not be carried over, or is written otherwise than one may expect: rules of the family CONV. */
+  diagnostics: Diagnostic[];
+  /**
+   * What became of each executed block: from, to in the source -> from, to in the text, in the order of the text. A block
+   * that gave nothing has an empty range there; one that shares a motion with another is linked to its lines too.
+   */
+  map: [number, number, number, number][];
+}
+
 export interface Decoded {
   /** The listing; U+FFFD for a row that cannot be read. */
   text: string;
