@@ -5,7 +5,8 @@
 //! last line has no line end. Formats stand for all tapes that follow, up to the next format behind a tape. A rule on
 //! the format itself has ` ```json bad PATH "text at fault" ` and ` ```json good ` instead.
 //!
-//! A rule of the family CONV is about a conversion: its tapes are converted, and what that reports is looked at.
+//! A rule of the family CONV is about a conversion: its tapes are converted to decimal G-code, and its decimal G-code to
+//! a tape, and what that reports is looked at.
 //!
 //! `catalogue.csv` beside them lists every demand of the standards that was looked at, and what became of it.
 //!
@@ -14,7 +15,7 @@
 #[path = "support/page.rs"]
 mod page;
 
-use nctape::convert::{Dialect, to_decimal};
+use nctape::convert::{Dialect, from_decimal, to_decimal};
 use nctape::format::{FormatDiagnostic, explain, explain_read};
 use nctape::rules::{ALL, Rule};
 use nctape::{Diagnostic, Format, Severity, Standard, Tape};
@@ -194,11 +195,14 @@ fn check_tape(rule: &'static Rule, example: &TapeExample, under: &FormatExample)
     faults
 }
 
-/// What is found in a tape: by checking it, or by converting it where the rule is of that.
+/// What is found in a tape: by checking it, or by converting it where the rule is of that; from decimal G-code, where
+/// that is what the text is.
 fn found_in(rule: &Rule, text: &str, format: &Format) -> Vec<Diagnostic> {
+    let found = Tape::new(text, format).diagnostics();
     match rule.family() {
+        "CONV" if found.iter().any(|found| found.rule.name == "decimal-sign") => from_decimal(text, format).diagnostics,
         "CONV" => to_decimal(text, format, Dialect::LinuxCnc).diagnostics,
-        _ => Tape::new(text, format).diagnostics(),
+        _ => found,
     }
 }
 

@@ -238,7 +238,7 @@ test('the tape is saved as G-code for LinuxCNC, and what that lacks is said', as
   assert.ok(await page.locator('#notice').isHidden(), 'nothing is lacking');
 
   await page.locator('#preset').selectOption('annex-d-boring');
-  await page.waitForFunction(() => document.querySelector('.cm-content')?.textContent?.includes('M06'));
+  await quiet(page);
   const lacking = await saved(page, '#save-decimal');
   assert.match(lacking.bytes.toString(), /\n\(LEFT OUT: B1\)\n/);
   assert.match(await page.locator('#notice').innerText(), /tape\.ngc is saved, with 1 remark\. B1 and 2 other words/);

@@ -86,6 +86,19 @@ test("what cannot be converted is said, with offsets in UTF-16", () => {
   assert.deepEqual(nctape.toDecimal("", format, "linuxcnc").map, []);
 });
 
+test("decimal G-code becomes a tape, and comes back", () => {
+  const { format } = preset("annex-d-boring");
+  const source = "G21 (\u{1F600})\nG0 X10.5 Y-3\nM30\n";
+  const tape = nctape.fromDecimal(source, format);
+  assert.deepEqual(tape.diagnostics, []);
+  const [from, to, textFrom, textTo] = tape.map[1] ?? [0, 0, 0, 0];
+  assert.equal(source.slice(from, to), "G0 X10.5 Y-3");
+  assert.equal(tape.text.slice(textFrom, textTo), "N001\tG00\tX+001050\tY-00300\n");
+  assert.ok(nctape.toDecimal(tape.text, format, "linuxcnc").text.includes("N001 G0 X10.50 Y-3.00\n"));
+  const lacking = nctape.fromDecimal("G0 X100000.5\n", format).diagnostics;
+  assert.deepEqual(lacking.map(({ rule, severity }) => [rule, severity]), [["CONV-09", "error"]]);
+});
+
 test("an unknown dialect is a TypeError that names its field", () => {
   const { source, format } = preset("annex-e-circular");
   for (const dialect of ["fanuc", "", null, 7]) {

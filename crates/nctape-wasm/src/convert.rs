@@ -4,7 +4,7 @@ use crate::argument::{self, malformed};
 use crate::offsets::Offsets;
 use crate::report::{self, DiagnosticView};
 use crate::value::to_js;
-use nctape::convert::{Converted, Dialect, to_decimal as convert};
+use nctape::convert::{self, Converted, Dialect};
 use nctape::{Diagnostic, Standard};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -27,7 +27,18 @@ pub fn to_decimal(
     let (format, _) = argument::format(format)?;
     let dialect = dialect.as_string().as_deref().and_then(Dialect::from_word);
     let dialect = dialect.ok_or_else(|| malformed("dialect", &format!("{} is wanted", dialects())))?;
-    Ok(converted(convert(&source, &format, dialect), &source, format.standard))
+    Ok(converted(convert::to_decimal(&source, &format, dialect), &source, format.standard))
+}
+
+/// A tape of a format that does what decimal G-code does.
+#[wasm_bindgen(js_name = fromDecimal, unchecked_return_type = "Converted")]
+pub fn from_decimal(
+    #[wasm_bindgen(unchecked_param_type = "string")] source: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Format")] to: &JsValue,
+) -> Result<JsValue, JsValue> {
+    let source = argument::text(source, "source")?;
+    let (to, _) = argument::format(to)?;
+    Ok(converted(convert::from_decimal(&source, &to), &source, to.standard))
 }
 
 /// The words of the dialects, for a message.

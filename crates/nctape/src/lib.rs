@@ -53,6 +53,8 @@ mod order;
 
 mod tape;
 
+mod write;
+
 pub mod convert;
 
 mod suggest;

@@ -4,6 +4,8 @@
 //! leaves open (dimensions, readings of I, J and K, codings of feeds) is settled before it. What it cannot express it
 //! leaves out, marks in the text and says in a diagnostic of the family CONV: nothing is dropped silently.
 
+mod from_decimal;
+mod gcode;
 mod linuxcnc;
 mod output;
 
@@ -50,4 +52,23 @@ pub fn to_decimal(source: &str, format: &Format, dialect: Dialect) -> Converted 
     match dialect {
         Dialect::LinuxCnc => linuxcnc::write(&Tape::new(source, format)),
     }
+}
+
+/// A tape of a format that does what decimal G-code does: text of LinuxCNC, and what other controls of today read the
+/// same way.
+///
+/// Any text gives a tape. Lengths are converted to the unit of the format and rounded to its least input increment; what
+/// the format cannot say is reported, and the tape stops there (M00). The optional block skip character stays where it
+/// is.
+///
+/// ```
+/// use nctape::convert::from_decimal;
+/// use nctape::{Format, Standard};
+/// let format = Format::new(Standard::Iso2539, "N3G2X+42Y+42F4M2*").classified("CAM 222");
+/// let tape = from_decimal("G21\nG1 X10.5 Y-3 F300\nM30\n", &format);
+/// assert_eq!(tape.text, "%\nN001 G01 X+001050 Y-000300 F0300\nN002 M30\n");
+/// assert!(tape.diagnostics.is_empty());
+/// ```
+pub fn from_decimal(source: &str, to: &Format) -> Converted {
+    from_decimal::write(source, to)
 }

@@ -188,6 +188,8 @@ pub static ALL: &[&Rule] = &[
     &conversion::end_as_stop::RULE,
     &conversion::unreached_left_out::RULE,
     &conversion::curve_as_chords::RULE,
+    &conversion::does_not_fit::RULE,
+    &conversion::rounded::RULE,
     &row::parity::RULE,
     &row::unknown::RULE,
     &row::blank::RULE,
