@@ -7,7 +7,7 @@ use super::state::State;
 use super::walk::{Fate, Walk};
 use crate::Tape;
 use crate::read::{Block, Word};
-use crate::span::{Span, Spans};
+use crate::span::Span;
 use std::ops::Range;
 
 /// Goes through a tape once more, for who turns it into something else: the spans are the tape's own.
@@ -76,7 +76,7 @@ impl<'a> Follow<'a> {
             run_block(&mut self.state, index, block, words);
         }
         // The tape has them already.
-        self.state.spans = Spans::new(tape.control().axes.len());
+        self.state.spans = tape.spans().empty(0);
         self.state.events.clear();
         let all: &[Span] = &tape.spans().list;
         let first = self.span;

@@ -95,12 +95,12 @@ impl TapeWriter<'_> {
     fn dimensions(&self, end: &[i64], motion: &Move) -> Result<Vec<(char, String)>, Fault> {
         let named = |axis: usize| motion.end.get(axis).is_some_and(Option::is_some);
         let mut words = Vec::new();
-        for axis in 0..end.len() {
-            let (incremental, moves) = (self.is_incremental(axis), end[axis] != self.at[axis]);
+        for (axis, &to) in end.iter().enumerate() {
+            let (incremental, moves) = (self.is_incremental(axis), to != self.at[axis]);
             if self.control.axes[axis].sign.is_none() || !(moves || named(axis) && !incremental) {
                 continue;
             }
-            let number = if incremental { end[axis].saturating_sub(self.at[axis]) } else { end[axis] };
+            let number = if incremental { to.saturating_sub(self.at[axis]) } else { to };
             let letter = self.control.axes[axis].letter;
             words.push((letter, self.dimension_word(letter, number)?));
         }

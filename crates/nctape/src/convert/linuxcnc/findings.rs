@@ -38,7 +38,7 @@ impl LeftOut {
             LeftOut::Miscellaneous(code) => {
                 let name = format!("M{code:02}");
                 let assigned =
-                    if let Miscellaneous::Assigned(_, meaning) = miscellaneous(code) { Some(meaning) } else { None };
+                    if let Miscellaneous::Assigned(.., meaning) = miscellaneous(code) { Some(meaning) } else { None };
                 let own = declared.and_then(|declared| declared.m.get(&name));
                 named(name, assigned, own)
             }
