@@ -18,6 +18,11 @@ export function makeLearn(engine, openCalculator) {
     dialog.close();
     openCalculator();
   });
+  const table = byId('learn-functions', HTMLDetailsElement);
+  table.addEventListener('toggle', async () => {
+    if (!table.open || table.childElementCount > 1) return;
+    table.append(functionTable(await engine.fact('functions')));
+  });
   dialog.addEventListener('click', (event) => {
     if (event.target === dialog) dialog.close();
   });
@@ -38,4 +43,31 @@ function codeWords({ title, tracks, about }) {
     ),
     ...about.map((sentence) => el('p', null, sentence)),
   ];
+}
+
+/**
+ * Codes in a row about which nothing but their state is known stand in one line.
+ * @param {import('nctape').FunctionEntry[]} entries
+ */
+function functionTable(entries) {
+  /** @type {{ first: string, last: string, entry: import('nctape').FunctionEntry }[]} */
+  const lines = [];
+  for (const entry of entries) {
+    const before = lines.at(-1);
+    const isLike = before !== undefined && entry.state !== 'assigned' && entry.code[0] === before.last[0] &&
+      entry.state === before.entry.state && entry.conflict === before.entry.conflict;
+    if (isLike) before.last = entry.code;
+    else lines.push({ first: entry.code, last: entry.code, entry });
+  }
+  const rows = lines.map(({ first, last, entry: { state, meaning, group, acts, conflict } }) =>
+    el('tr', state === 'assigned' ? null : { class: 'no-function' },
+      el('th', { scope: 'row' }, first === last ? first : `${first}–${last}`),
+      el('td', null, meaning || state, conflict === null ? '' : el('span', { class: 'conflict' }, ` ${conflict}`)),
+      el('td', null, group),
+      el('td', null, acts),
+    ),
+  );
+  const heads = ['Code', 'Meaning', 'Group', 'Acts'].map((head) => el('th', { scope: 'col' }, head));
+  return el('div', { class: 'function-scroll' },
+    el('table', { class: 'function-table' }, el('thead', null, el('tr', null, ...heads)), el('tbody', null, ...rows)));
 }

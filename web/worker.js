@@ -68,6 +68,7 @@ const facts = {
   lettering: nctape.lettering,
   letteringNote: nctape.letteringNote,
   aboutCodes: nctape.aboutCodes,
+  functions: nctape.functions,
   rowWords: nctape.rowWords,
   readerSpeed: nctape.readerSpeed,
   whyUntimed: nctape.whyUntimed,
