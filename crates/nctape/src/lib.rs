@@ -59,6 +59,7 @@ pub mod convert;
 
 mod suggest;
 
+pub mod offset;
 pub mod presets;
 
 pub use diagnostic::{Diagnostic, Severity};

@@ -4,7 +4,8 @@ use crate::code::Rows;
 use crate::diagnostic::{Diagnostic, Severity, Sink};
 use crate::execute::{Bounds, Execution, Kept, Totals, execute};
 use crate::flatten::{Points, flatten};
-use crate::format::{Control, Format, Standard};
+use crate::format::{Control, Format, Standard, power_of_ten};
+use crate::offset::{OffsetPath, offset_path};
 use crate::read::{Block, Change, Reading, Word, number, read};
 use crate::report::Findings;
 use crate::rules::{self, TapeView};
@@ -218,6 +219,12 @@ impl Tape {
         flatten(&self.spans().list, spans, tolerance)
     }
 
+    /// The path of the cutter's centre within a tolerance, wherever cutter compensation is in force; `None` where it is
+    /// not, or where the format states no radius of a cutter.
+    pub fn offset(&self, tolerance: f64) -> Option<OffsetPath> {
+        offset_of(&self.control, self.spans(), tolerance)
+    }
+
     /// Which spans the last edit has left as they were, but for the numbers of their blocks. What was drawn of them may
     /// stand.
     pub fn last_kept(&self) -> Kept {
@@ -244,4 +251,12 @@ impl Tape {
     pub fn rows_of(&self, block: &Block) -> Range<usize> {
         block.row..block.row + block.rows
     }
+}
+
+/// The path of the cutter's centre that a control makes of some spans.
+pub(crate) fn offset_of(control: &Control, spans: &Spans, tolerance: f64) -> Option<OffsetPath> {
+    let radius = control.format.itemized.cutter_radius?.0;
+    let step = control.axes.iter().take(3).filter(|axis| axis.sign.is_some());
+    let step = step.map(|axis| 1.0 / power_of_ten(axis.decimals) as f64).fold(0.0, f64::max);
+    offset_path(spans, radius, step, tolerance)
 }

@@ -153,6 +153,7 @@ pub static ALL: &[&Rule] = &[
     &compensation::vector_as_axes::RULE,
     &compensation::vector_aside::RULE,
     &compensation::centre_in_vector::RULE,
+    &compensation::cutter_too_large::RULE,
     &format::class_contouring::RULE,
     &format::class_positioning::RULE,
     &format::class_system::RULE,
@@ -319,6 +320,7 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     let is_moved = feed::shift_not_stated::check(tape, sink);
     compensation::vector_as_axes::check(tape, sink);
     compensation::vector_aside::check(tape, sink);
+    compensation::cutter_too_large::check(tape, sink);
     for event in &tape.execution.events {
         motion::too_many_axes::check(event, tape, sink);
         motion::out_of_plane::check(event, tape, sink);

@@ -1,6 +1,7 @@
 //! COMP: cutter compensation.
 
 pub(crate) mod centre_in_vector;
+pub(crate) mod cutter_too_large;
 pub(crate) mod unit_vector;
 pub(crate) mod vector_as_axes;
 pub(crate) mod vector_aside;
