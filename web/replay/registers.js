@@ -153,6 +153,7 @@ function linesOf({ here, summary }, held) {
   const named = (named) => ({ code: named?.code ?? '–', says: named?.meaning ?? '', more: named === null ? [] : acting([named]) });
   return [
     { name: 'Feed', code: held.feed?.word ?? '–', says: along === null ? '' : feed(along, unit) },
+    ...(held.leads === null ? [] : [{ name: 'Lead', code: '', says: leadWords(held.leads, unit) }]),
     { name: 'Speed', code: held.speed?.word ?? '–', says: held.speed?.perMinute == null ? '' : `${Math.round(held.speed.perMinute * 10) / 10} rev/min` },
     { name: 'Spindle', ...named(held.spindle) },
     { name: 'Coolant', ...named(held.coolant) },
@@ -170,3 +171,11 @@ function linesOf({ here, summary }, held) {
  */
 const acting = (functions) =>
   functions.flatMap(({ code, acts, conflict }) => [acts === '' ? '' : `${code} acts ${acts}.`, conflict ?? '']).filter(Boolean);
+
+/**
+ * "K 1.5 mm/rev"
+ * @param {[number, number, number]} leads
+ * @param {'mm' | 'inch'} unit
+ */
+const leadWords = (leads, unit) =>
+  leads.flatMap((lead, axis) => (lead === 0 ? [] : [`${'IJK'[axis]} ${lead}`])).join(', ').replace(/(.)$/, `$1 ${unit === 'mm' ? 'mm' : 'in'}/rev`) || '–';

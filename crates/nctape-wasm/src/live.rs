@@ -268,6 +268,49 @@ impl Tape {
         Ok(self.path_of(Kept::default(), argument::tolerance(tolerance)?).into())
     }
 
+    /// The path of the cutter's centre where cutter compensation is in force; `null` where it is not, or where the
+    /// format states no radius of a cutter.
+    #[wasm_bindgen(unchecked_return_type = "OffsetPath | null")]
+    pub fn offset(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "number")] tolerance: &JsValue,
+    ) -> Result<JsValue, JsValue> {
+        let Some(path) = self.tape.offset(argument::tolerance(tolerance)?) else { return Ok(JsValue::NULL) };
+        let object = js_sys::Object::new();
+        set(&object, "xyz", &js_sys::Float64Array::from(path.xyz.as_slice()));
+        set(&object, "span", &js_sys::Uint32Array::from(path.span.as_slice()));
+        set(&object, "starts", &js_sys::Uint32Array::from(path.starts.as_slice()));
+        Ok(object.into())
+    }
+
+    /// The axes beyond X, Y and Z against the length of the path; `null` where the format has none.
+    #[wasm_bindgen(unchecked_return_type = "OtherAxes | null")]
+    pub fn axes(&self) -> JsValue {
+        let axes = &self.tape.control().axes[3..];
+        if axes.is_empty() {
+            return JsValue::NULL;
+        }
+        let spans = self.tape.spans();
+        let (mut length, mut way) = (0.0, Vec::with_capacity(2 * spans.list.len()));
+        for span in &spans.list {
+            let still = span.start == span.end && span.geometry == nctape::span::Geometry::Line;
+            let end = if still { length } else { length + span.length };
+            way.extend([length, end]);
+            length = end;
+        }
+        let values: Vec<f64> = spans.beyond().iter().flatten().copied().collect();
+        let named = axes.iter().map(|axis| JsValue::from_str(axis.letter.encode_utf8(&mut [0; 4])));
+        let rotary = axes.iter().map(|axis| JsValue::from_bool("ABCDE".contains(axis.letter)));
+        let object = js_sys::Object::new();
+        set(&object, "names", &named.collect::<js_sys::Array>().into());
+        set(&object, "rotary", &rotary.collect::<js_sys::Array>().into());
+        let turns = self.tape.control().angles() == nctape::format::Angles::Turns;
+        set(&object, "angles", &JsValue::from_str(if turns { "turns" } else { "degrees" }));
+        set(&object, "lengths", &js_sys::Float64Array::from(way.as_slice()));
+        set(&object, "values", &js_sys::Float64Array::from(values.as_slice()));
+        object.into()
+    }
+
     /// What has changed of the path since one that was told under the same tolerance, by its number; all of it where
     /// that is too long ago, or where the format or the switch has changed since.
     #[wasm_bindgen(js_name = pathChange, unchecked_return_type = "PathChange")]

@@ -20,6 +20,7 @@ struct RegistersView {
     position: Vec<f64>,
     doubtful: Vec<bool>,
     feed: Option<RateView>,
+    leads: Option<[f64; 3]>,
     speed: Option<RateView>,
     spindle: Option<SpindleView>,
     coolant: Option<CoolantView>,
@@ -113,6 +114,7 @@ fn view(block: usize, held: Registers) -> RegistersView {
         position: held.position,
         doubtful: held.doubtful,
         feed: held.feed.map(rate),
+        leads: held.leads,
         speed: held.speed.map(rate),
         spindle: held
             .spindle

@@ -334,6 +334,25 @@ export interface Path extends Points {
   blocks: Uint32Array;
 }
 
+/** The path of the cutter's centre. A point's span is in `span`; a joint belongs to the span behind it. */
+export interface OffsetPath {
+  xyz: Float64Array;
+  span: Uint32Array;
+  /** Points at which a stretch begins that does not go on from the point before. */
+  starts: Uint32Array;
+}
+
+/** The axes beyond X, Y and Z. For each span two entries of `lengths`: the way along X, Y and Z at its start and end. */
+export interface OtherAxes {
+  names: string[];
+  /** An angle, in the unit of `angles`; else a length. */
+  rotary: boolean[];
+  angles: "turns" | "degrees";
+  lengths: Float64Array;
+  /** For each span, axis by axis, the value at its start and at its end. */
+  values: Float64Array;
+}
+
 /** What has changed of a path: the spans between those that are kept. `span` counts as in the whole path. */
 export interface PathChange extends Path {
   /** By which the next change is asked for. */
@@ -381,6 +400,8 @@ export interface Registers {
   /** The axes whose position is a guess, because a word could not be read. */
   doubtful: boolean[];
   feed: { word: string; perMinute: number | null } | null;
+  /** The leads of a thread along X, Y and Z; null but under G33 to G35. */
+  leads: [number, number, number] | null;
   speed: { word: string; perMinute: number | null } | null;
   /** null while the tape has not said. */
   spindle: (NamedFunction & { turns: "still" | "clockwise" | "counter-clockwise" }) | null;

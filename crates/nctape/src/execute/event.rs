@@ -79,6 +79,10 @@ pub(crate) enum EventKind {
     RapidSpeed { word: usize },
     /// A miscellaneous function starts the spindle before any S word.
     SpindleWithoutSpeed { word: usize },
+    /// A thread has no lead along an axis that moves: the one that moves most.
+    NoLead { axis: usize },
+    /// A thread block gives a lead along an axis that does not move.
+    IdleLead { word: usize, axis: usize },
     /// P, Q and R are no unit vector.
     VectorLength { length: f64 },
     /// The vector in force is not normal to the start of a span, or not tangent where that is declared; `other`: it is

@@ -110,6 +110,9 @@ impl State<'_> {
             return;
         }
         let start = self.position;
+        if code == 33 && !self.is_doubtful([]) {
+            self.check_leads(&start);
+        }
         // A word that could not be read may have been any: how far the tool moves is not known.
         if self.is_doubtful((0..self.words.len()).filter(|&axis| self.words[axis].is_some())) {
             self.substitute(&start, self.block);

@@ -36,6 +36,8 @@ pub struct Registers {
     pub doubtful: Vec<bool>,
     /// The feed in force.
     pub feed: Option<Rate>,
+    /// The leads of a thread in force, along X, Y and Z in the unit of the format; `None` but under G33 to G35.
+    pub leads: Option<[f64; 3]>,
     /// The spindle speed in force.
     pub speed: Option<Rate>,
     /// Whether the spindle turns; `None` while the tape has not said.
@@ -202,6 +204,7 @@ impl Tape {
             position: position.iter().enumerate().map(|(axis, &at)| state.in_unit(axis, at)).collect(),
             doubtful: (0..position.len()).map(|axis| state.is_lost(axis)).collect(),
             feed: held.feed.filter(|_| state.feed != Feed::None).map(|word| Rate { word: written(word), per_minute }),
+            leads: state.leads_in_force(),
             speed: held.speed.map(|word| Rate { word: written(word), per_minute: state.speed.and_then(finite) }),
             spindle: held.spindle.map(|(turning, code)| (turning, miscellaneous_named(control, code))),
             coolant: held.coolant.map(|(on, code)| (on, miscellaneous_named(control, code))),

@@ -1,5 +1,6 @@
 //! The feed of a thread (G33): the tool goes on by the lead with every revolution of the spindle.
 
+use super::event::EventKind;
 use super::feed::Feed;
 use super::state::{Motion, State};
 use crate::format::{Standard, Unit};
@@ -11,6 +12,31 @@ impl State<'_> {
         if self.parameters.iter().any(Option::is_some) {
             self.leads = self.parameters.map(|parameter| parameter.map_or(0, |parameter| parameter.value));
         }
+    }
+
+    /// Notes a thread that has no lead along the axes that move, and a lead of this block along one that does not.
+    pub(super) fn check_leads(&mut self, start: &[i64]) {
+        if self.control.standard() == Standard::Iso1058 {
+            return;
+        }
+        let moves: [bool; 3] = std::array::from_fn(|axis| self.target[axis] != start[axis]);
+        for axis in (0..3).filter(|&axis| !moves[axis]) {
+            if let Some(parameter) = self.parameters[axis].filter(|parameter| parameter.value != 0) {
+                self.note(EventKind::IdleLead { word: parameter.place, axis });
+            }
+        }
+        let has_lead = (0..3).any(|axis| moves[axis] && self.leads[axis] != 0);
+        let by_feed = self.leads == [0; 3] && matches!(self.feed, Feed::PerRevolution(_) | Feed::Unknown);
+        if moves.contains(&true) && !has_lead && !by_feed {
+            let axis = (0..3).filter(|&axis| moves[axis]).max_by_key(|&axis| self.target[axis].abs_diff(start[axis]));
+            self.note(EventKind::NoLead { axis: axis.unwrap_or(2) });
+        }
+    }
+
+    /// The leads along X, Y and Z in the unit of the format, while a thread function is in force.
+    pub(super) fn leads_in_force(&self) -> Option<[f64; 3]> {
+        let lead = |axis: usize| number::in_unit(self.control, b"IJK"[axis], self.leads[axis]);
+        self.is_thread().then(|| std::array::from_fn(lead))
     }
 
     /// The path is a thread.

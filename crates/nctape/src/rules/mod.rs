@@ -115,6 +115,8 @@ pub static ALL: &[&Rule] = &[
     &function::start_of_effect::RULE,
     &function::contouring::RULE,
     &function::not_carried_out::RULE,
+    &function::no_lead::RULE,
+    &function::idle_lead::RULE,
     &motion::too_many_axes::RULE,
     &motion::out_of_plane::RULE,
     &motion::radius_mismatch::RULE,
@@ -342,6 +344,8 @@ pub(crate) fn check_tape(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
         if !is_moved {
             feed::too_fast::check(event, tape, sink);
         }
+        function::no_lead::check(event, tape, sink);
+        function::idle_lead::check(event, tape, sink);
         compensation::unit_vector::check(event, tape, sink);
         compensation::centre_in_vector::check(event, tape, sink);
     }

@@ -2,7 +2,9 @@
 
 pub(crate) mod contouring;
 pub(crate) mod dimension_mode;
+pub(crate) mod idle_lead;
 pub(crate) mod no_interpolation;
+pub(crate) mod no_lead;
 pub(crate) mod not_carried_out;
 pub(crate) mod permanently_unassigned;
 pub(crate) mod start_of_effect;
