@@ -30,6 +30,7 @@ const NAMES = {
   parabola: '--kind-parabola',
   curve: '--kind-curve',
   dwell: '--kind-dwell',
+  offset: '--offset',
   'band-rapid': '--band-rapid',
   'band-line': '--band-line',
   'band-arc': '--band-arc',

@@ -120,6 +120,7 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
   const problems = makeProblems({ store, engine, deeds, textLength: () => editor.state.doc.length, cursor: () => editor.state.selection.main.from });
   makePlot({ store, engine, kinds, onBlock: (offset) => moveCursor(editor, offset, 'path') });
   makeRegisters(store);
+  showOtherAxes(store, engine);
   const replay = makeReplay({ store, engine, onPlace: (offset) => moveCursor(editor, offset, 'replay') });
   makeReplayControls({ store, replay });
   makeTimeline({ store, kinds, replay });
@@ -222,4 +223,19 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
       if (here.offset !== head()) void locate();
     },
   };
+}
+
+/**
+ * The chart of the axes beyond X, Y and Z, fetched for the first tape that has some.
+ * @param {import('./store.js').Store} store
+ * @param {import('./engine.js').Engine} engine
+ */
+function showOtherAxes(store, engine) {
+  let asked = false;
+  store.on(['summary'], async ({ summary }) => {
+    if (asked || summary === null || summary.axes.length <= 3) return;
+    asked = true;
+    const { makeAxesChart } = await import('./plot/axes-chart.js');
+    makeAxesChart({ host: byId('axes-chart', HTMLElement), store, engine });
+  });
 }

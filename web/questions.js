@@ -29,6 +29,19 @@ export const questions = {
   ...replayQuestions,
 
   /**
+   * The path of the cutter's centre, where cutter compensation is in force.
+   * @param {Tape} tape
+   * @param {number} tolerance
+   */
+  offset: (tape, tolerance) => tape.offset(tolerance),
+
+  /**
+   * The axes beyond X, Y and Z along the path.
+   * @param {Tape} tape
+   */
+  axes: (tape) => tape.axes(),
+
+  /**
    * Where an offset lies in every view.
    * @param {Tape} tape
    * @param {number} offset

@@ -9,6 +9,7 @@ import { drawLit } from './draw.js';
 import { drawGrid } from './grid.js';
 import { spanAt } from './hit.js';
 import { listenToPlotHand } from './input.js';
+import { CutterPath } from './cutter.js';
 import { KeptPicture } from './kept.js';
 import { patched } from './patch.js';
 import { AXES, isAnotherSize, isSeen, PLANES, View } from './view.js';
@@ -56,6 +57,11 @@ export function makePlot({ store, engine, kinds, onBlock }) {
   /** @param {number} span */
   const kindOf = (span) => kinds[(path?.kinds[span] ?? 0) - 1] ?? '';
 
+  const cutter = new CutterPath(engine, () => {
+    showLegend();
+    redraw();
+  });
+
   const redraw = onceAFrame(draw);
   function redrawAll() {
     kept.drop();
@@ -102,6 +108,7 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     pathNumber = change.number;
     store.set({ path });
     showLegend();
+    void cutter.follow(asked, store.state.summary?.compensated === true);
     redraw();
     return true;
   }
@@ -160,6 +167,7 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     context.drawImage(kept.canvas, 0, 0);
     context.globalAlpha = 1;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    cutter.draw(context, view, colours);
     if (path === null) return;
     const tool = moment !== null && moment.span >= 0 && moment.span < path.kinds.length ? moment : null;
     if (tool?.led) {
@@ -189,6 +197,7 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     const used = new Set(path?.kinds ?? []);
     legend.replaceChildren(
       ...kinds.filter((_, index) => used.has(index + 1)).map((kind) => el('li', { class: `key kind-${kind}` }, kind)),
+      ...cutter.legend(),
     );
   }
 

@@ -44,6 +44,7 @@ struct Summary {
     infos: usize,
     totals: TotalsView,
     bounds: Option<Bounds>,
+    compensated: bool,
 }
 
 #[derive(Serialize)]
@@ -138,6 +139,7 @@ impl Tape {
             warnings: self.tape.count(Severity::Warning),
             infos: self.tape.count(Severity::Info),
             totals: report::totals(&self.tape),
+            compensated: self.tape.spans().offsets().iter().any(|offset| *offset != nctape::span::Offset::None),
             bounds: self.tape.bounds().map(|it| Bounds { min: it.least, max: it.greatest }),
         })
     }

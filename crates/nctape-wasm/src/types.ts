@@ -284,6 +284,8 @@ export interface Summary {
   totals: Totals;
   /** Smallest box around all spans, X Y Z; null without spans. */
   bounds: { min: [number, number, number]; max: [number, number, number] } | null;
+  /** Cutter compensation is in force somewhere, and the format states the radius of the cutter: see `offset`. */
+  compensated: boolean;
 }
 
 /** One block of a live tape, and where it lies in every view. */
