@@ -8,6 +8,8 @@
 //! A rule of the family CONV is about a conversion: its tapes are converted to decimal G-code, and its decimal G-code to
 //! a tape, and what that reports is looked at.
 //!
+//! A rule on CLDATA has ` ```cldata bad ` and ` ```cldata good `, read as a stream.
+//!
 //! `catalogue.csv` beside them lists every demand of the standards that was looked at, and what became of it.
 //!
 //! `cargo test -p nctape --test rules -- number` runs one family.
@@ -15,11 +17,12 @@
 #[path = "support/page.rs"]
 mod page;
 
+use nctape::cldata::{Cldata, Options};
 use nctape::convert::{Dialect, from_decimal, to_decimal};
 use nctape::format::{FormatDiagnostic, explain, explain_read};
 use nctape::rules::{ALL, Rule};
 use nctape::{Diagnostic, Format, Severity, Standard, Tape};
-use page::{FormatExample, Page, TapeExample};
+use page::{CldataExample, FormatExample, Page, TapeExample};
 use std::collections::BTreeSet;
 
 macro_rules! families {
@@ -32,6 +35,7 @@ macro_rules! families {
 families! {
     tape: "TAPE", control: "CTRL", skip: "SKIP", sequence: "SEQ", word: "WORD", tab: "TAB", number: "NUM",
     function: "FUN", motion: "MOT", feed: "FEED", compensation: "COMP", conversion: "CONV", format: "SPEC",
+    cldata: "CLD",
 }
 
 #[test]
@@ -134,6 +138,15 @@ fn check_page(rule: &'static Rule) -> Vec<String> {
             faults.push(format!("there is no bad and good example for {word}"));
         }
     }
+    if rule.verdicts.on_cldata().is_some() {
+        let is_there = |bad: bool| page.cldata.iter().any(|example| example.marks.is_empty() != bad);
+        if !(is_there(true) && is_there(false)) {
+            faults.push("there is no bad and good example of CLDATA".to_owned());
+        }
+    }
+    for example in &page.cldata {
+        faults.extend(check_cldata(rule, example).into_iter().map(|fault| format!("line {}: {fault}", example.line)));
+    }
     for tape in &page.tapes {
         for under in &tape.formats {
             let place = format!("line {}, under the format of line {}", tape.line, under.line);
@@ -204,6 +217,47 @@ fn found_in(rule: &Rule, text: &str, format: &Format) -> Vec<Diagnostic> {
         "CONV" => to_decimal(text, format, Dialect::LinuxCnc).diagnostics,
         _ => found,
     }
+}
+
+fn check_cldata(rule: &'static Rule, example: &CldataExample) -> Vec<String> {
+    let read = |text: &str| Cldata::new(text, &Options::default());
+    let cldata = read(&example.text);
+    let (own, others): (Vec<_>, Vec<_>) = cldata.diagnostics().iter().partition(|found| found.rule.name == rule.name);
+    let mut faults: Vec<String> =
+        others.iter().filter(|found| weighs(found)).map(|found| told(found, &example.text)).collect();
+    if own.len() != example.marks.len() {
+        faults.extend(own.iter().map(|found| told(found, &example.text)));
+        faults.push(format!("the rule is found {} times, {} places are marked", own.len(), example.marks.len()));
+        return faults;
+    }
+    for (found, mark) in own.iter().zip(&example.marks) {
+        let ends = found.range.end == mark.range.end || found.range.end > mark.line_end;
+        if found.range.start != mark.range.start || !ends {
+            let marked = &example.text[mark.range.clone()];
+            faults.push(format!("{marked:?} is marked, but {}", told(found, &example.text)));
+        }
+        // Some rules weigh less where the standard's own clause is not public.
+        let verdict = rule.verdicts.on_cldata();
+        if verdict.is_none_or(|verdict| verdict.id != found.id || verdict.severity < found.severity) {
+            faults.push(format!("the verdict is {verdict:?}, but {}", told(found, &example.text)));
+        }
+        for fix in &found.fixes {
+            let mut text = example.text.clone();
+            for edit in fix.edits.iter().rev() {
+                text.replace_range(edit.range.clone(), &edit.insert);
+            }
+            let after = read(&text);
+            let weight = |cldata: &Cldata| -> usize {
+                cldata.diagnostics().iter().filter(|found| found.rule.name == rule.name).map(|found| found.count).sum()
+            };
+            if weight(&after) >= weight(&cldata) {
+                faults.push(format!("the fix {:?} does not remove the finding; it gives {text:?}", fix.title));
+            }
+            let new = after.diagnostics().iter().filter(|found| weighs(found) && found.rule.name != rule.name);
+            faults.extend(new.map(|found| format!("the fix {:?} leads to {}", fix.title, told(found, &text))));
+        }
+    }
+    faults
 }
 
 fn check_format(rule: &'static Rule, example: &FormatExample) -> Vec<String> {

@@ -15,6 +15,18 @@ pub struct Page {
     pub tapes: Vec<TapeExample>,
     /// Formats that are themselves the example.
     pub formats: Vec<FormatExample>,
+    /// CLDATA.
+    pub cldata: Vec<CldataExample>,
+}
+
+/// CLDATA in a fence ` ```cldata bad ` or ` ```cldata good `.
+pub struct CldataExample {
+    /// The line of the page on which its fence begins.
+    pub line: usize,
+    /// The caret lines taken out.
+    pub text: String,
+    /// What the caret lines mark; none in a good example.
+    pub marks: Vec<Mark>,
 }
 
 /// A tape in a fence ` ```tape bad ` or ` ```tape good `.
@@ -62,7 +74,7 @@ impl Page {
     /// Takes a page apart; what cannot be understood is an error with its line.
     pub fn read(markdown: &str) -> Result<Page, String> {
         let title = markdown.lines().next().and_then(|line| line.strip_prefix("# ")).unwrap_or("").to_owned();
-        let mut page = Page { title, tapes: Vec::new(), formats: Vec::new() };
+        let mut page = Page { title, tapes: Vec::new(), formats: Vec::new(), cldata: Vec::new() };
         let mut group: Vec<FormatExample> = Vec::new();
         let mut group_is_used = false;
         for fence in fences(markdown)? {
@@ -75,6 +87,13 @@ impl Page {
                     group.push(format_example(&fence, None)?);
                 }
                 "json good" => page.formats.push(format_example(&fence, None)?),
+                "cldata good" | "cldata bad" => {
+                    let (text, marks) = without_caret_lines(fence.body);
+                    if marks.is_empty() == (fence.info == "cldata bad") {
+                        return Err(format!("line {line}: a bad example has a caret line, a good one has none"));
+                    }
+                    page.cldata.push(CldataExample { line, text, marks });
+                }
                 "tape good" | "tape bad" | "tape bad open" => {
                     group_is_used = true;
                     let (mut text, marks) = without_caret_lines(fence.body);

@@ -1,7 +1,7 @@
 //! What the check says: a located sentence under a rule, with related places and fixes.
 
 use crate::format::{Format, Standard};
-use crate::rules::Rule;
+use crate::rules::{Rule, Verdict};
 use std::ops::Range;
 
 /// How much a diagnostic weighs.
@@ -120,18 +120,28 @@ impl Diagnostic {
 
 /// Takes the findings of the rules and gives each the verdict of the standard in force.
 pub(crate) struct Sink<'a> {
-    standard: Standard,
+    /// None of CLDATA, which ISO 3592 is in force for.
+    standard: Option<Standard>,
     out: &'a mut Vec<Diagnostic>,
 }
 
 impl<'a> Sink<'a> {
     pub(crate) fn new(standard: Standard, out: &'a mut Vec<Diagnostic>) -> Self {
-        Sink { standard, out }
+        Sink { standard: Some(standard), out }
+    }
+
+    /// For what is found in CLDATA.
+    pub(crate) fn cldata(out: &'a mut Vec<Diagnostic>) -> Self {
+        Sink { standard: None, out }
+    }
+
+    fn verdict(&self, rule: &Rule) -> Option<Verdict> {
+        self.standard.map_or(rule.verdicts.on_cldata(), |standard| rule.verdicts.under(standard))
     }
 
     /// The standard in force has a verdict on what a rule looks for.
     pub(crate) fn asks(&self, rule: &Rule) -> bool {
-        rule.verdicts.under(self.standard).is_some()
+        self.verdict(rule).is_some()
     }
 
     /// How many findings there are.
@@ -141,7 +151,7 @@ impl<'a> Sink<'a> {
 
     /// Reports a finding, unless the standard in force has no verdict on it.
     pub(crate) fn report(&mut self, rule: &'static Rule, range: Range<usize>, message: String) -> Reported<'_> {
-        match rule.verdicts.under(self.standard) {
+        match self.verdict(rule) {
             Some(verdict) => self.push(rule, verdict.id, verdict.severity, range, message),
             None => Reported(None),
         }
@@ -155,7 +165,7 @@ impl<'a> Sink<'a> {
         range: Range<usize>,
         message: String,
     ) -> Reported<'_> {
-        match rule.verdicts.under(self.standard) {
+        match self.verdict(rule) {
             Some(verdict) => self.push(rule, verdict.id, severity, range, message),
             None => Reported(None),
         }

@@ -22,6 +22,8 @@
 //! assert_eq!(&tape.text()[first.range.clone()], "X+1000");
 //! ```
 //!
+//! The other language is CLDATA, which a tape is made from: [`cldata`].
+//!
 //! Offsets are bytes of the text. Lengths are exact integers, in least input increments, up to interpolation; from
 //! there they are `f64` in the unit of the format. A span ends on its programmed end point to the bit.
 
@@ -36,6 +38,8 @@ pub mod read;
 pub mod function;
 
 pub mod speed;
+
+pub mod cldata;
 
 mod execute;
 

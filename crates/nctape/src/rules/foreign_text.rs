@@ -3,6 +3,7 @@
 use super::prelude::*;
 use super::{number, tape};
 use crate::format::DIMENSION_LETTERS;
+use std::ops::Range;
 
 /// Tells whether the text is something else than a tape, and says so.
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) -> bool {
@@ -81,21 +82,47 @@ fn statements(text: &str) -> impl Iterator<Item = (usize, &str)> {
     })
 }
 
+/// The first statement of a text that is the source of a part program, and how many there are: most of its lines are
+/// statements of APT, and at least one of them has a `/`.
+pub(crate) fn apt(text: &str) -> Option<(Range<usize>, usize)> {
+    let of_apt = |line: &str| !is_record(line) && is_statement(line);
+    let (mut first, mut found, mut lines, mut slash) = (None, 0, 0, false);
+    for (from, line) in statements(text).take(LINES_ENOUGH) {
+        lines += 1;
+        if of_apt(line) {
+            first = first.or(Some(from..from + line.len()));
+            found += 1;
+            slash |= line.contains('/');
+        }
+    }
+    let first = first.filter(|_| slash && 2 * found > lines)?;
+    Some((first, statements(text).filter(|(_, line)| of_apt(line)).count()))
+}
+
 /// A record of CLDATA, `12,5000,5,…`, or a statement of APT: a word of three letters or more that `/` or nothing
 /// follows, `GOTO/10,20`, `P1 = POINT/10,20`, `FINI`.
 fn is_statement(line: &str) -> bool {
-    let digits = line.bytes().take_while(u8::is_ascii_digit).count();
-    let behind = line[digits..].trim_start();
-    if let Some(record) = behind.strip_prefix(',').filter(|_| digits > 0) {
-        let record = record.trim_start();
-        let class = record.bytes().take_while(u8::is_ascii_digit).count();
-        return matches!(class, 4 | 5) && record[class..].trim_start().starts_with([',', ';']);
+    if is_record(line) {
+        return true;
     }
-    // A symbol before `=`, or a line number.
+    // A line number, or a symbol before `=`.
+    let behind = line.trim_start_matches(|digit: char| digit.is_ascii_digit()).trim_start();
+    if behind.len() < line.len() && behind.starts_with(',') {
+        return false;
+    }
     let statement = behind.split_once('=').map_or(behind, |(_, statement)| statement).trim_start();
     let letters = statement.bytes().take_while(u8::is_ascii_alphabetic).count();
     let rest = statement[letters..].trim_start();
     letters >= 3 && (rest.is_empty() || rest.starts_with('/') || rest.starts_with("$$"))
+}
+
+/// A record of CLDATA.
+fn is_record(line: &str) -> bool {
+    let digits = line.bytes().take_while(u8::is_ascii_digit).count();
+    let Some(record) = line[digits..].trim_start().strip_prefix(',').filter(|_| digits > 0) else { return false };
+    let record = record.trim_start();
+    let class = record.bytes().take_while(u8::is_ascii_digit).count();
+    matches!(class, 4 | 5) && record[class..].trim_start().starts_with([',', ';'])
 }
 
 #[cfg(test)]

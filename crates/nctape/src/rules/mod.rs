@@ -4,6 +4,7 @@
 //! A check sees a word, a block, an event of execution, a whole tape, or the format. It is called from the list of its
 //! stage below; that every rule is called is what the tests of the pages show.
 
+pub(crate) mod cldata;
 pub(crate) mod comment;
 pub(crate) mod compensation;
 pub(crate) mod conversion;
@@ -24,6 +25,7 @@ pub(crate) mod tape;
 mod view;
 pub(crate) mod word;
 
+pub(crate) use cldata::{CldataView, check_cldata, source_of_apt};
 pub(crate) use prelude::{digits, is_declared_letter};
 pub use rule::{Clause, Rule, Verdict, Verdicts};
 pub(crate) use view::TapeView;
@@ -201,6 +203,51 @@ pub static ALL: &[&Rule] = &[
     &row::label::RULE,
     &row::no_parity::RULE,
     &row::foreign_delete::RULE,
+    &cldata::apt_source::RULE,
+    &cldata::typographic_character::RULE,
+    &cldata::meaningless_character::RULE,
+    &cldata::foreign_character::RULE,
+    &cldata::lower_case::RULE,
+    &cldata::unclosed_literal::RULE,
+    &cldata::line_end_in_literal::RULE,
+    &cldata::unreadable_element::RULE,
+    &cldata::empty_element::RULE,
+    &cldata::unknown_keyword::RULE,
+    &cldata::too_large::RULE,
+    &cldata::no_record_separator::RULE,
+    &cldata::no_file_separator::RULE,
+    &cldata::too_few_elements::RULE,
+    &cldata::too_many_elements::RULE,
+    &cldata::no_two_integers::RULE,
+    &cldata::broken_sequence::RULE,
+    &cldata::unlisted_type::RULE,
+    &cldata::no_termination::RULE,
+    &cldata::behind_termination::RULE,
+    &cldata::integer_for_real::RULE,
+    &cldata::real_for_integer::RULE,
+    &cldata::wrong_element::RULE,
+    &cldata::incomplete_point::RULE,
+    &cldata::unlisted_subtype::RULE,
+    &cldata::not_interpreted::RULE,
+    &cldata::unlisted_code::RULE,
+    &cldata::unknown_start::RULE,
+    &cldata::no_feed::RULE,
+    &cldata::spindle_off::RULE,
+    &cldata::idle_rapid::RULE,
+    &cldata::stray_continuation::RULE,
+    &cldata::idle_surface::RULE,
+    &cldata::off_the_circle::RULE,
+    &cldata::doubtful_direction::RULE,
+    &cldata::tilted_circle::RULE,
+    &cldata::tool_with_spindle::RULE,
+    &cldata::compensation_on_arc::RULE,
+    &cldata::cycle_without_depth::RULE,
+    &cldata::no_end::RULE,
+    &cldata::behind_end::RULE,
+    &cldata::late_machin::RULE,
+    &cldata::changed_unit::RULE,
+    &cldata::assumed_unit::RULE,
+    &cldata::split_code::RULE,
 ];
 
 /// The rules on one block: a function of its characters and the control.

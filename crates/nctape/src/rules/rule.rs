@@ -27,35 +27,41 @@ pub struct Verdict {
     pub severity: Severity,
 }
 
-/// The verdicts of the three standards; `None` where a standard has nothing against it.
+/// The verdicts of the standards; `None` where a standard has nothing against it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Verdicts {
     iso2539: Option<Verdict>,
     iso1058: Option<Verdict>,
     rs274: Option<Verdict>,
+    iso3592: Option<Verdict>,
 }
 
 impl Verdicts {
     /// The same verdict under every standard.
     pub const fn all(id: &'static str, severity: Severity) -> Verdicts {
         let verdict = Some(Verdict { id, severity });
-        Verdicts { iso2539: verdict, iso1058: verdict, rs274: verdict }
+        Verdicts { iso2539: verdict, iso1058: verdict, rs274: verdict, iso3592: None }
     }
 
     /// A verdict of ISO 2539, and so of RS-274; none of ISO 1058.
     pub const fn contouring(id: &'static str, severity: Severity) -> Verdicts {
         let verdict = Some(Verdict { id, severity });
-        Verdicts { iso2539: verdict, iso1058: None, rs274: verdict }
+        Verdicts { iso2539: verdict, iso1058: None, rs274: verdict, iso3592: None }
     }
 
     /// A verdict of ISO 1058 only.
     pub const fn positioning(id: &'static str, severity: Severity) -> Verdicts {
-        Verdicts { iso2539: None, iso1058: Some(Verdict { id, severity }), rs274: None }
+        Verdicts { iso2539: None, iso1058: Some(Verdict { id, severity }), rs274: None, iso3592: None }
     }
 
     /// A verdict of RS-274 only.
     pub const fn eia(id: &'static str, severity: Severity) -> Verdicts {
-        Verdicts { iso2539: None, iso1058: None, rs274: Some(Verdict { id, severity }) }
+        Verdicts { iso2539: None, iso1058: None, rs274: Some(Verdict { id, severity }), iso3592: None }
+    }
+
+    /// A verdict of ISO 3592, on CLDATA; none on tapes.
+    pub const fn cldata(id: &'static str, severity: Severity) -> Verdicts {
+        Verdicts { iso2539: None, iso1058: None, rs274: None, iso3592: Some(Verdict { id, severity }) }
     }
 
     /// The same, but with another verdict of ISO 1058.
@@ -74,6 +80,11 @@ impl Verdicts {
     /// The same, but without a verdict under RS-274.
     pub const fn not_rs274(self) -> Verdicts {
         Verdicts { rs274: None, ..self }
+    }
+
+    /// The verdict of ISO 3592.
+    pub const fn on_cldata(&self) -> Option<Verdict> {
+        self.iso3592
     }
 
     /// The verdict of one standard.
@@ -99,6 +110,8 @@ pub enum Clause {
     Iso1056(&'static str),
     /// Y-1702 (Miskell, 1969), for RS-274.
     Y1702(&'static str),
+    /// A clause of ISO 3592.
+    Iso3592(&'static str),
 }
 
 impl Clause {
@@ -114,6 +127,7 @@ impl Clause {
                 Some(format!("ISO 2539 {clause}"))
             }
             (Clause::Iso1056(clause), _) => Some(format!("ISO 1056 {clause}")),
+            (Clause::Iso3592(clause), _) => Some(format!("ISO 3592 {clause}")),
             (Clause::Y1702(clause), Standard::Rs274) => Some(format!("Y-1702 {clause}")),
             _ => None,
         }
@@ -126,6 +140,7 @@ impl Clause {
             Clause::Iso2539(clause) => vec![format!("ISO 2539 {clause}")],
             Clause::Iso1058(clause) => vec![format!("ISO 1058 {clause}")],
             Clause::Iso1056(clause) => vec![format!("ISO 1056 {clause}")],
+            Clause::Iso3592(clause) => vec![format!("ISO 3592 {clause}")],
             Clause::Y1702(clause) => vec![format!("Y-1702 {clause}")],
         }
     }
@@ -151,6 +166,7 @@ impl Rule {
     }
 
     fn ids(&self) -> impl Iterator<Item = &'static str> {
-        Standard::ALL.iter().filter_map(|(standard, ..)| self.verdicts.under(*standard)).map(|verdict| verdict.id)
+        let on_tapes = Standard::ALL.iter().filter_map(|(standard, ..)| self.verdicts.under(*standard));
+        on_tapes.chain(self.verdicts.on_cldata()).map(|verdict| verdict.id)
     }
 }

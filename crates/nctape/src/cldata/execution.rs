@@ -1,0 +1,248 @@
+//! From records to spans: what a file says one after the other, carried out.
+
+use super::element::Element;
+use super::event::{Event, Noted, Uninterpreted};
+use super::record::{Record, Tables};
+use super::words::{Dialect, Key};
+use crate::format::Unit;
+use crate::span::Spans;
+
+/// What carrying out a text gives.
+#[derive(Clone, Debug)]
+pub(crate) struct Execution {
+    pub spans: Spans,
+    pub events: Vec<Noted>,
+    pub unit: Unit,
+}
+
+/// What a feed is said per.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Per {
+    Minute,
+    Revolution,
+    /// Something of which the path says nothing: a tooth, the reciprocal of time.
+    Other,
+}
+
+/// The circle of a surface record that waits for its tool positions, in the unit of the report.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Circle {
+    pub record: usize,
+    pub centre: [f64; 3],
+    pub axis: [f64; 3],
+    pub radius: f64,
+}
+
+/// What a file has said so far.
+#[derive(Clone, Debug)]
+pub(super) struct File {
+    pub position: Option<[f64; 3]>,
+    /// 3, or 6 with the tool axis (MULTAX).
+    pub point_size: usize,
+    pub cut: bool,
+    /// The RAPID that waits for a motion.
+    pub rapid: Option<usize>,
+    pub feed: Option<f64>,
+    pub per: Per,
+    pub speed: Option<f64>,
+    pub turning: bool,
+    pub cycle: bool,
+    pub cutter: Option<f64>,
+    /// What is stated of INTOL and OUTTOL.
+    pub tolerance: f64,
+    /// One unit of the file in units of the report.
+    pub scale: f64,
+    pub unit: Option<i64>,
+    pub circle: Option<Circle>,
+    pub ended: bool,
+    pub moved: bool,
+    /// There was a command that MACHIN has to stand before.
+    pub commanded: bool,
+    /// Whether the file has a SPINDL at all.
+    pub spindle_is_told: bool,
+    /// The first motion without a feed, and how many; likewise with the spindle off.
+    pub without_feed: Option<(usize, usize)>,
+    pub spindle_off: Option<(usize, usize)>,
+}
+
+impl Default for File {
+    fn default() -> File {
+        File {
+            position: None,
+            point_size: 3,
+            cut: true,
+            rapid: None,
+            feed: None,
+            per: Per::Minute,
+            speed: None,
+            turning: false,
+            cycle: false,
+            cutter: None,
+            tolerance: 0.0,
+            scale: 1.0,
+            unit: None,
+            circle: None,
+            ended: false,
+            moved: false,
+            commanded: false,
+            spindle_is_told: false,
+            without_feed: None,
+            spindle_off: None,
+        }
+    }
+}
+
+pub(super) struct State<'a> {
+    pub tables: &'a Tables,
+    pub dialect: Option<Dialect>,
+    pub spans: Spans,
+    pub events: Vec<Noted>,
+    pub unit: Unit,
+    pub file: File,
+    /// What is not interpreted, and was said already.
+    pub told: Vec<Uninterpreted>,
+}
+
+/// Millimetres of the units by their codes under 9000,9 (APT4 SSV3): millimetre, centimetre, inch, foot.
+pub(super) fn millimetres(code: i64) -> Option<f64> {
+    match code {
+        1 => Some(1.0),
+        2 => Some(10.0),
+        3 => Some(25.4),
+        4 => Some(304.8),
+        _ => None,
+    }
+}
+
+/// Carries out all files of a text.
+pub(crate) fn execute(tables: &Tables, dialect: Option<Dialect>) -> Execution {
+    let mut state = State {
+        tables,
+        dialect,
+        spans: Spans::new(3),
+        events: Vec::new(),
+        unit: Unit::Millimetre,
+        file: File::default(),
+        told: Vec::new(),
+    };
+    let first_unit = tables.records.iter().enumerate().find_map(|(index, _)| state.unit_code(index));
+    let is_inch = first_unit.and_then(millimetres).is_some_and(|length| length % 25.4 == 0.0);
+    state.unit = if is_inch { Unit::Inch } else { Unit::Millimetre };
+    for records in tables.file_records() {
+        // Before the unit is said it is that of the file, as nobody changes the unit midway.
+        let code = records.clone().find_map(|index| state.unit_code(index));
+        state.file = File { scale: state.scale_of(code.unwrap_or(if is_inch { 3 } else { 1 })), ..File::default() };
+        for index in records.clone() {
+            let record = tables.records[index];
+            state.check_shape(index, &record);
+            state.step(index, &record);
+        }
+        state.end_file(records.end - 1);
+    }
+    Execution { spans: state.spans, events: state.events, unit: state.unit }
+}
+
+impl State<'_> {
+    pub(super) fn note(&mut self, event: Event, record: usize, element: Option<usize>) {
+        self.events.push(Noted { event, record, element });
+    }
+
+    pub(super) fn not_interpreted(&mut self, what: Uninterpreted, record: usize, element: Option<usize>) {
+        if !self.told.contains(&what) {
+            self.told.push(what);
+            self.note(Event::NotInterpreted(what), record, element);
+        }
+    }
+
+    /// The unit of the report in a unit of the file.
+    pub(super) fn scale_of(&self, code: i64) -> f64 {
+        let length = millimetres(code).unwrap_or(1.0);
+        if self.unit == Unit::Inch { length / 25.4 } else { length }
+    }
+
+    /// The code of the unit that a record says, if it says one.
+    pub(super) fn unit_code(&self, index: usize) -> Option<i64> {
+        let record = &self.tables.records[index];
+        let elements = self.tables.of(record);
+        match record.kind {
+            9000 if elements.get(2).and_then(Element::whole) == Some(9) => elements.get(3).and_then(Element::whole),
+            20000 if elements.get(3).and_then(Element::key) == Some(Key::of("UNITS")) => {
+                let units = ["MM", "CM", "INCHES", "FEET"].map(Key::of);
+                let word = elements.get(4).and_then(Element::key)?;
+                units.iter().position(|unit| *unit == word).map(|place| place as i64 + 1)
+            }
+            _ => None,
+        }
+    }
+
+    fn step(&mut self, index: usize, record: &Record) {
+        match record.kind {
+            2000 | 20000 => self.command(index, record),
+            3000 => self.surface(index, record),
+            5000 => self.position(index, record),
+            6000 => self.information(record),
+            9000 => self.parameter(record),
+            _ => {}
+        }
+        if let Some(code) = self.unit_code(index) {
+            self.set_unit(code, index);
+        }
+    }
+
+    fn set_unit(&mut self, code: i64, index: usize) {
+        if millimetres(code).is_none() {
+            self.note(Event::UnlistedSubtype, index, Some(self.tables.records[index].first as usize + 3));
+            return;
+        }
+        if self.file.moved || self.file.unit.is_some_and(|unit| unit != code) {
+            self.note(Event::ChangedUnit, index, None);
+        }
+        self.file.unit = Some(code);
+        self.file.scale = self.scale_of(code);
+    }
+
+    /// 6000: the cut flag, tolerances and the cutter.
+    fn information(&mut self, record: &Record) {
+        let elements = self.tables.of(record);
+        let value = |place: usize| elements.get(place).and_then(Element::value);
+        match elements.get(2).and_then(Element::whole) {
+            Some(1) => self.file.cut = value(3) != Some(1.0),
+            Some(3..=5) => {
+                let stated = elements[3..].iter().filter_map(Element::value).fold(0.0, f64::max) * self.file.scale;
+                self.file.tolerance = self.file.tolerance.max(stated);
+            }
+            Some(6) => self.file.cutter = value(3).map(|diameter| diameter * self.file.scale),
+            _ => {}
+        }
+    }
+
+    /// 9000,2: whether points have a tool axis.
+    fn parameter(&mut self, record: &Record) {
+        let elements = self.tables.of(record);
+        if elements.get(2).and_then(Element::whole) == Some(2) {
+            match elements.get(3).and_then(Element::whole) {
+                Some(0) => self.file.point_size = 3,
+                Some(1) => self.file.point_size = 6,
+                _ => {}
+            }
+        }
+    }
+
+    fn end_file(&mut self, last: usize) {
+        if let Some(record) = self.file.rapid {
+            self.note(Event::IdleRapid, record, None);
+        }
+        if let Some(circle) = self.file.circle {
+            self.note(Event::IdleSurface, circle.record, None);
+        }
+        if let Some((record, count)) = self.file.without_feed {
+            self.note(Event::NoFeed { count }, record, None);
+        }
+        if let Some((record, count)) = self.file.spindle_off.filter(|_| self.file.spindle_is_told) {
+            self.note(Event::SpindleOff { count }, record, None);
+        }
+        if self.file.moved && !self.file.ended {
+            self.note(Event::NoEnd, last, None);
+        }
+    }
+}
