@@ -19,8 +19,6 @@ const RAPID: Key = Key::of("RAPID");
 const FEDRAT: Key = Key::of("FEDRAT");
 const SPINDL: Key = Key::of("SPINDL");
 const LOADTL: Key = Key::of("LOADTL");
-const TOOLNO: Key = Key::of("TOOLNO");
-const TURRET: Key = Key::of("TURRET");
 const CUTCOM: Key = Key::of("CUTCOM");
 const CYCLE: Key = Key::of("CYCLE");
 const MULTAX: Key = Key::of("MULTAX");
@@ -114,11 +112,7 @@ impl State<'_> {
             }
             FEDRAT => self.feed(&arguments),
             SPINDL => self.spindle(&arguments),
-            LOADTL | TOOLNO | TURRET => {
-                if word == LOADTL && self.file.turning {
-                    self.note(Event::ToolWithSpindle, index, None);
-                }
-            }
+            LOADTL if self.file.turning => self.note(Event::ToolWithSpindle, index, None),
             CUTCOM => {
                 if self.file.circle.is_some() {
                     self.note(Event::CompensationOnArc, index, None);
@@ -133,11 +127,7 @@ impl State<'_> {
                 self.file.ended = true;
                 self.file.turning = false;
             }
-            MACHIN => {
-                if self.file.commanded {
-                    self.note(Event::LateMachin, index, None);
-                }
-            }
+            MACHIN if self.file.commanded => self.note(Event::LateMachin, index, None),
             INDEX | COPY | TRACUT | ORIGIN | TRANS | ROTABL | ROTHED | INSERT | THREAD => {
                 self.not_interpreted(Uninterpreted::Command(word), index, None);
             }

@@ -73,7 +73,7 @@ impl Reader<'_> {
                 self.note_typographic(inside.start + at..inside.start + at + quote.len_utf8(), '\'');
             }
         }
-        let is_beyond = |character: char| !character.is_ascii() && !(typographic && is_quote(character));
+        let is_beyond = |character: char| !(character.is_ascii() || typographic && is_quote(character));
         let beyond = text.chars().filter(|character| is_beyond(*character)).count();
         if let Some(first) = text.find(is_beyond) {
             let last = text.rfind(is_beyond).unwrap_or(first);
@@ -81,13 +81,12 @@ impl Reader<'_> {
             let range = inside.start + first..inside.start + last + width;
             self.note(Slip::Beyond { count: beyond, literal: true }, range);
         }
-        if !self.stream.is_of_columns() {
-            if let Some(end) = self.stream.text[inside.clone()].find(['\n', '\r']) {
-                let before = &self.stream.text[..inside.start + end];
-                let start = before.rfind(['\n', '\r']).map_or(0, |at| at + 1);
-                let width = before[start..].chars().count();
-                self.note(Slip::LineEnd { width }, whole);
-            }
+        let line_end = self.stream.text[inside.clone()].find(['\n', '\r']);
+        if let Some(end) = line_end.filter(|_| !self.stream.is_of_columns()) {
+            let before = &self.stream.text[..inside.start + end];
+            let start = before.rfind(['\n', '\r']).map_or(0, |at| at + 1);
+            let width = before[start..].chars().count();
+            self.note(Slip::LineEnd { width }, whole);
         }
     }
 }

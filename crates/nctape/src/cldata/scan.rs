@@ -4,7 +4,7 @@ use super::characters::{is_layout, is_quote, plain};
 use super::element::ElementKind;
 use super::number;
 use super::reader::{End, Reader};
-use super::record::{Slip, Unreadable};
+use super::record::{Slip, Slipped, Unreadable};
 use super::words::Key;
 use std::ops::Range;
 
@@ -152,12 +152,11 @@ impl Reader<'_> {
 
     /// A character that is not of ISO/IEC 646; those in a row are said at once.
     fn beyond(&mut self, range: Range<usize>) {
-        if let Some(last) = self.tables.slips.last_mut().filter(|last| last.range.end == range.start) {
-            if let Slip::Beyond { count, literal: false } = &mut last.slip {
-                *count += 1;
-                last.range.end = range.end;
-                return;
-            }
+        let last = self.tables.slips.last_mut().filter(|last| last.range.end == range.start);
+        if let Some(Slipped { slip: Slip::Beyond { count, literal: false }, range: before, .. }) = last {
+            *count += 1;
+            before.end = range.end;
+            return;
         }
         self.note(Slip::Beyond { count: 1, literal: false }, range);
     }

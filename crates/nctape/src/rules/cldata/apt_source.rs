@@ -28,7 +28,8 @@ pub(crate) fn check(found: &Slipped, _view: &CldataView<'_>, sink: &mut Sink<'_>
             "",
         ),
         Slip::Continuation => (
-            "$ makes a statement of APT go on in the next line; a record goes on until its ; and needs none. Take it out.",
+            "$ makes a statement of APT go on in the next line; a record goes on until its ; and needs none. Take it \
+             out.",
             "Take it out",
             "",
         ),

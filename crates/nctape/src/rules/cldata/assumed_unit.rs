@@ -13,7 +13,8 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if found.event == Event::AssumedUnit {
-        let message = "No record says the unit of lengths; millimetres are assumed. A record 9000,9 says it: 1 millimetre, 2 centimetre, 3 inch, 4 foot.";
+        let message = "No record says the unit of lengths; millimetres are assumed. A record 9000,9 says it: 1 \
+                       millimetre, 2 centimetre, 3 inch, 4 foot.";
         sink.report(&RULE, view.place(&view.tables.records[found.record]), message.to_owned());
     }
 }

@@ -16,7 +16,8 @@ pub(crate) fn check(view: &CldataView<'_>, sink: &mut Sink<'_>) {
         let records = &view.tables.records[records];
         let Some(end) = records.iter().position(|record| record.kind == 14000) else { continue };
         if let Some(behind) = records.get(end + 1) {
-            let message = "The part program termination is the last record of a file, and this one stands behind it. Move the \
+            let message = "The part program termination is the last record of a file, and this one stands behind it. \
+                           Move the \
                            termination to the end, or put a : between them if this begins another file.";
             sink.report(&RULE, view.place(behind), message.to_owned())
                 .count(records.len() - end - 1)

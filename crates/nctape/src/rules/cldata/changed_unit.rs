@@ -13,7 +13,8 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if found.event == Event::ChangedUnit {
-        let message = "The unit of lengths is said anew behind a motion, or differs from the one before. Points from here on are turned into the first unit. Say the unit once, at the start.";
+        let message = "The unit of lengths is said anew behind a motion, or differs from the one before. Points from \
+                       here on are turned into the first unit. Say the unit once, at the start.";
         sink.report(&RULE, view.place(&view.tables.records[found.record]), message.to_owned());
     }
 }

@@ -13,7 +13,8 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if found.event == Event::CompensationOnArc {
-        let message = "CUTCOM stands between a circle and its motion, so that compensation would begin or end on the arc. Put it before a straight motion.";
+        let message = "CUTCOM stands between a circle and its motion, so that compensation would begin or end on the \
+                       arc. Put it before a straight motion.";
         sink.report(&RULE, view.place(&view.tables.records[found.record]), message.to_owned());
     }
 }

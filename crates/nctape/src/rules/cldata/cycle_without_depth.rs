@@ -13,7 +13,8 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if found.event == Event::CycleWithoutDepth {
-        let message = "The cycle says nothing of how deep it goes. DEPTH and a real number say it, or FEDTO in some systems, or the number right behind the kind of cycle.";
+        let message = "The cycle says nothing of how deep it goes. DEPTH and a real number say it, or FEDTO in some \
+                       systems, or the number right behind the kind of cycle.";
         sink.report(&RULE, view.place(&view.tables.records[found.record]), message.to_owned());
     }
 }

@@ -14,7 +14,8 @@ pub static RULE: Rule = Rule {
 pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if let Event::DoubtfulDirection { degrees } = found.event {
         let message = format!(
-            "By its axis the motion goes {} degrees round the circle, and it has no point on the way that would bear this \
+            "By its axis the motion goes {} degrees round the circle, and it has no point on the way that would bear \
+             this \
              out. Where the system that wrote the file gives every axis as positive, it may be the other way. Put a point on \
              the way.",
             shown(degrees)

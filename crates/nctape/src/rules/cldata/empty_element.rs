@@ -18,7 +18,8 @@ pub(crate) fn check(found: &Slipped, view: &CldataView<'_>, sink: &mut Sink<'_>)
     let separator = view.at(&found.range);
     let what = match (&found.slip, separator) {
         (Slip::Empty, _) => {
-            "There is no element before this separator. Write the element, . for zero or '' for an empty literal, or take the separator out"
+            "There is no element before this separator. Write the element, . for zero or '' for an empty literal, or \
+             take the separator out"
         }
         (_, ":") => "There is no record before this file separator. Take it out",
         _ => "There is no record before this record separator. Take it out",

@@ -13,7 +13,8 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if found.event == Event::IdleRapid {
-        let message = "RAPID is for the next motion alone, and none follows before another RAPID or the end of the file. Take it out, or put the motion behind it.";
+        let message = "RAPID is for the next motion alone, and none follows before another RAPID or the end of the \
+                       file. Take it out, or put the motion behind it.";
         sink.report(&RULE, view.place(&view.tables.records[found.record]), message.to_owned());
     }
 }

@@ -14,7 +14,8 @@ pub static RULE: Rule = Rule {
 pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if let Event::IncompletePoint { values, size } = found.event {
         let message = format!(
-            "The record has {values} coordinates; a point has {size} of them{}. Write the missing ones, or take the ones \
+            "The record has {values} coordinates; a point has {size} of them{}. Write the missing ones, or take the \
+             ones \
              that are too many out.",
             if size == 6 { ", as MULTAX is on: the place and the tool axis" } else { "" }
         );

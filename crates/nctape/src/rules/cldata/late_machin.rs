@@ -1,4 +1,4 @@
-//! CLD-42: mACHIN stands behind other commands.
+//! CLD-42: MACHIN stands behind other commands.
 
 use super::prelude::*;
 
@@ -13,7 +13,8 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if found.event == Event::LateMachin {
-        let message = "MACHIN says which post processor is meant, and other commands stand before it. Put it before them all; only PARTNO, PPRINT and UNITS may come first.";
+        let message = "MACHIN says which post processor is meant, and other commands stand before it. Put it before \
+                       them all; only PARTNO, PPRINT and UNITS may come first.";
         sink.report(&RULE, view.place(&view.tables.records[found.record]), message.to_owned());
     }
 }

@@ -18,7 +18,8 @@ pub(crate) fn check(found: &Slipped, _view: &CldataView<'_>, sink: &mut Sink<'_>
     let Slip::LineEnd { width } = found.slip else { return };
     let hint = if width >= COLUMNS {
         format!(
-            " The line has {width} columns: if the file has records of {COLUMNS} columns, read it so, and the literal goes on in the first column."
+            " The line has {width} columns: if the file has records of {COLUMNS} columns, read it so, and the literal \
+             goes on in the first column."
         )
     } else {
         String::new()

@@ -14,7 +14,8 @@ pub static RULE: Rule = Rule {
 pub(crate) fn check(found: &Slipped, view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if found.slip == Slip::Meaningless {
         let message = format!(
-            "{} has no meaning outside of a literal and is passed over. Elements are made of letters, digits, + - . and \
+            "{} has no meaning outside of a literal and is passed over. Elements are made of letters, digits, + - . \
+             and \
              apostrophes. Take it out, or put it between apostrophes.",
             quoted(view.at(&found.range))
         );

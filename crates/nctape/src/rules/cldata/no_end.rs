@@ -13,7 +13,9 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if found.event == Event::NoEnd {
-        let message = "No END stops the spindle and the coolant and rewinds the tape. The part program termination, type 14000, ends the file alone; some systems have their post processor end the machine program there.";
+        let message = "No END stops the spindle and the coolant and rewinds the tape. The part program termination, \
+                       type 14000, ends the file alone; some systems have their post processor end the machine program \
+                       there.";
         sink.report(&RULE, view.place(&view.tables.records[found.record]), message.to_owned());
     }
 }

@@ -13,7 +13,8 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if let Event::NoFeed { count } = found.event {
-        let message = "The tool moves at feed, and no FEDRAT has said how fast. Its time is not known. Put a FEDRAT before it, or RAPID if it is to be rapid.";
+        let message = "The tool moves at feed, and no FEDRAT has said how fast. Its time is not known. Put a FEDRAT \
+                       before it, or RAPID if it is to be rapid.";
         sink.report(&RULE, view.place(&view.tables.records[found.record]), message.to_owned()).count(count);
     }
 }

@@ -14,7 +14,8 @@ pub static RULE: Rule = Rule {
 pub(crate) fn check(found: &Slipped, _view: &CldataView<'_>, sink: &mut Sink<'_>) {
     let Slip::NoSemicolon { comma } = found.slip else { return };
     let end = found.range.end;
-    let message = "A record ends with ; and a line end is none. What follows can only be the next record, or the end of the \
+    let message = "A record ends with ; and a line end is none. What follows can only be the next record, or the end \
+                   of the \
                    file, so the record is taken to end here. Put the ; in.";
     let edit = comma.map_or(end..end, |comma| comma..comma + 1);
     sink.report(&RULE, found.range.clone(), message.to_owned()).fix(|| Fix::replace("Put ; here", edit, ";"));

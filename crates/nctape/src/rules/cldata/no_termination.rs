@@ -15,7 +15,8 @@ pub(crate) fn check(view: &CldataView<'_>, sink: &mut Sink<'_>) {
     for records in view.tables.file_records() {
         let records = &view.tables.records[records];
         let Some(last) = records.last().filter(|_| records.iter().all(|record| record.kind != 14000)) else { continue };
-        let message = "The file ends without a part program termination, type 14000: nothing says that it is whole. Put it \
+        let message = "The file ends without a part program termination, type 14000: nothing says that it is whole. \
+                       Put it \
                        behind the last record.";
         let range = view.place(last);
         let fix = view.number(last).filter(|_| view.at(&range).ends_with(';')).map(|(number, _)| {

@@ -18,7 +18,8 @@ pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
         _ => String::new(),
     };
     let message = format!(
-        "The motion begins {} from the centre and ends {} from it; the circle has the radius {}. Both ends must be on the \
+        "The motion begins {} from the centre and ends {} from it; the circle has the radius {}. Both ends must be on \
+         the \
          circle{beside}. The path is drawn from point to point.",
         shown(start),
         shown(end),

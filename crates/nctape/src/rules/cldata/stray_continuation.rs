@@ -15,7 +15,8 @@ pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if found.event == Event::StrayContinuation {
         let range = view.place(&view.tables.records[found.record]);
         let subtype = view.tables.elements[view.tables.records[found.record].elements().start + 2].range();
-        let message = "5000,6 goes on with the motion of the 5000,5 before it, and none stands there. It is read as a motion of its own: write 5.";
+        let message = "5000,6 goes on with the motion of the 5000,5 before it, and none stands there. It is read as a \
+                       motion of its own: write 5.";
         sink.report(&RULE, range, message.to_owned()).fix(|| Fix::replace("Write 5", subtype, "5"));
     }
 }

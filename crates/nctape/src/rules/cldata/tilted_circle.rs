@@ -13,7 +13,8 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if found.event == Event::TiltedCircle {
-        let message = "The axis of the circle is none of X, Y and Z, so that no control cuts it as an arc of a plane. The path goes from point to point.";
+        let message = "The axis of the circle is none of X, Y and Z, so that no control cuts it as an arc of a plane. \
+                       The path goes from point to point.";
         sink.report(&RULE, view.place(&view.tables.records[found.record]), message.to_owned());
     }
 }

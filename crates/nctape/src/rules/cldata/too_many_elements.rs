@@ -19,7 +19,8 @@ pub(crate) fn check(record: &Record, view: &CldataView<'_>, sink: &mut Sink<'_>)
     if count > MOST {
         let range = view.tables.of(record)[MOST].range();
         let message = format!(
-            "The record has {count} elements; {MOST} are the most. This is the first beyond. A motion goes on in a record \
+            "The record has {count} elements; {MOST} are the most. This is the first beyond. A motion goes on in a \
+             record \
              5000,6, other things in a record of their own."
         );
         sink.report(&RULE, range, message);

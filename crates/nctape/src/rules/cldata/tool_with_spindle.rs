@@ -13,7 +13,8 @@ pub static RULE: Rule = Rule {
 
 pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if found.event == Event::ToolWithSpindle {
-        let message = "LOADTL changes the tool while the spindle is on. Put SPINDL,OFF before it, unless the post processor does so.";
+        let message = "LOADTL changes the tool while the spindle is on. Put SPINDL,OFF before it, unless the post \
+                       processor does so.";
         sink.report(&RULE, view.place(&view.tables.records[found.record]), message.to_owned());
     }
 }

@@ -16,7 +16,8 @@ pub(crate) fn check(view: &CldataView<'_>, sink: &mut Sink<'_>) {
     order_by_key(&mut found, |typographic| (typographic.range.start, 0));
     let Some(first) = found.first() else { return };
     let message = format!(
-        "{} is a typographic character; ISO/IEC 646 has none, and the record needs {}. Editors and printed pages put such \
+        "{} is a typographic character; ISO/IEC 646 has none, and the record needs {}. Editors and printed pages put \
+         such \
          characters in: replace them all.",
         quoted(view.at(&first.range)),
         if first.plain == ' ' { "a space, or nothing".to_owned() } else { quoted(&first.plain.to_string()) }

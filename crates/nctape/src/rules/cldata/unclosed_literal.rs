@@ -14,7 +14,8 @@ pub static RULE: Rule = Rule {
 pub(crate) fn check(found: &Slipped, _view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if found.slip == Slip::Unclosed {
         let end = found.range.end;
-        let message = "The literal has no second apostrophe, so that it would take in all that follows. It is taken to end \
+        let message = "The literal has no second apostrophe, so that it would take in all that follows. It is taken to \
+                       end \
                        here, with the line. Close it; an apostrophe within is written twice.";
         sink.report(&RULE, found.range.clone(), message.to_owned()).fix(|| Fix::replace("Close it", end..end, "'"));
     }

@@ -20,7 +20,8 @@ pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
         ),
         true => (
             Severity::Error,
-            "This motion goes by the place where the tool stands, and nothing says where that is: differences are counted from zero, and an arc is left out. Put a FROM, a record 5000,3, before it.",
+            "This motion goes by the place where the tool stands, and nothing says where that is: differences are \
+             counted from zero, and an arc is left out. Put a FROM, a record 5000,3, before it.",
         ),
     };
     sink.report_as(severity, &RULE, view.place(&view.tables.records[found.record]), message.to_owned());

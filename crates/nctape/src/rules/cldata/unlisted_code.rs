@@ -14,7 +14,8 @@ pub static RULE: Rule = Rule {
 pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if let Event::UnlistedCode { code } = found.event {
         let message = format!(
-            "No word with the code {code} is known. In a record of type 2000 words are integers and numbers are real: if it \
+            "No word with the code {code} is known. In a record of type 2000 words are integers and numbers are real: \
+             if it \
              is a number, it wants a decimal point."
         );
         sink.report(&RULE, view.event(found), message);

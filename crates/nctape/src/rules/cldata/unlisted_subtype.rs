@@ -23,7 +23,8 @@ pub(crate) fn check(found: &Noted, view: &CldataView<'_>, sink: &mut Sink<'_>) {
     if found.event == Event::UnlistedSubtype {
         let range = view.event(found);
         let message = format!(
-            "{} is not known as a subtype, or as a code, in a record of type {}. The record is kept, and nothing is made of it.",
+            "{} is not known as a subtype, or as a code, in a record of type {}. The record is kept, and nothing is \
+             made of it.",
             quoted(view.at(&range)),
             view.tables.records[found.record].kind
         );

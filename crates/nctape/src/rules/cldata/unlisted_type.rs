@@ -25,7 +25,8 @@ pub(crate) fn check(record: &Record, view: &CldataView<'_>, sink: &mut Sink<'_>)
             "Older systems use it; the edition of 2000 does not have it. The record is kept, and nothing is made of it."
         }
         _ => {
-            "The types are 1000 to 9000, 14000, 15000, 16000, 20000 and 21000, and 28000 to 32000 are everyone's own. The record is kept, and nothing is made of it."
+            "The types are 1000 to 9000, 14000, 15000, 16000, 20000 and 21000, and 28000 to 32000 are everyone's own. \
+             The record is kept, and nothing is made of it."
         }
     };
     sink.report(&RULE, element.range(), format!("{} is no record type of ISO 3592. {advice}", quoted(what)));

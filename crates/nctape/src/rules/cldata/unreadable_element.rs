@@ -18,7 +18,8 @@ pub(crate) fn check(found: &Slipped, view: &CldataView<'_>, sink: &mut Sink<'_>)
             "has an exponent but no decimal point: only a real number has one. Put a point before the E"
         }
         Unreadable::Number => {
-            "is no number: digits with a sign before and at most one decimal point, and behind a real number E and an integer"
+            "is no number: digits with a sign before and at most one decimal point, and behind a real number E and an \
+             integer"
         }
         Unreadable::OneLetter => {
             "is one letter; a keyword has two or more. Write the keyword, or put a text between apostrophes"
