@@ -5,6 +5,7 @@
 
 mod argument;
 mod convert;
+mod cldata;
 mod functions;
 mod live;
 mod offsets;
@@ -19,6 +20,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 // Rust sees the same names as a script, so that the browser tests can call them.
 pub use convert::{from_decimal, to_decimal};
+pub use cldata::check_cldata;
 pub use functions::{
     check, columns, decimal_places, decode, encode, explain_format, format_line, points, shift_decimals,
     suggest_format, version,

@@ -3,7 +3,7 @@
 use crate::offsets::Offsets;
 use crate::value::Plain;
 use nctape::read::Block;
-use nctape::span::Geometry;
+use nctape::span::{Geometry, Spans};
 use nctape::{Diagnostic, ROW_PITCH_MILLIMETRES, Standard, Tape};
 use serde::Serialize;
 use std::ops::Range;
@@ -69,18 +69,18 @@ struct EditView {
 
 #[derive(Serialize)]
 pub(crate) struct BlockView {
-    from: usize,
-    to: usize,
-    sequence: Option<String>,
-    words: Vec<WordView>,
+    pub from: usize,
+    pub to: usize,
+    pub sequence: Option<String>,
+    pub words: Vec<WordView>,
 }
 
 #[derive(Serialize)]
-struct WordView {
-    address: String,
-    from: usize,
-    to: usize,
-    value: Option<f64>,
+pub(crate) struct WordView {
+    pub address: String,
+    pub from: usize,
+    pub to: usize,
+    pub value: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -108,12 +108,12 @@ pub(crate) struct SpanView {
 
 #[derive(Serialize)]
 pub(crate) struct TotalsView {
-    rows: usize,
+    pub rows: usize,
     #[serde(rename = "tapeMillimetres")]
-    tape_millimetres: f64,
-    cutting: f64,
-    rapid: f64,
-    seconds: Option<f64>,
+    pub tape_millimetres: f64,
+    pub cutting: f64,
+    pub rapid: f64,
+    pub seconds: Option<f64>,
 }
 
 /// The axes of a tape by letter.
@@ -176,7 +176,11 @@ pub(crate) fn block(tape: &Tape, block: &Block, offsets: &Offsets) -> BlockView 
 
 /// A span with every axis at its ends.
 pub(crate) fn span(tape: &Tape, index: usize) -> SpanView {
-    let spans = tape.spans();
+    span_of(tape.spans(), index)
+}
+
+/// The same, of any spans.
+pub(crate) fn span_of(spans: &Spans, index: usize) -> SpanView {
     let span = &spans.list[index];
     let mut view = SpanView {
         kind: span.kind.name(),

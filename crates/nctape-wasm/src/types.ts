@@ -56,6 +56,14 @@ export interface CheckOptions {
   limit?: number;
 }
 
+/** How CLDATA is to be read, and what of it is returned. `skip` does not apply. */
+export interface CldataOptions extends CheckOptions {
+  /** Read as records of so many columns, 1 to 1000: a literal goes on in the first column of the next line, and text behind the last column is not read. Left out: as a stream. */
+  columns?: number;
+  /** Whose integer codes hold in records of type 2000: "common". */
+  dialect?: "common" | "apt360" | "ssv3" | "postworks" | "ncl" | "ibm";
+}
+
 export type Severity = "error" | "warning" | "info";
 
 export interface Edit { from: number; to: number; insert: string }
@@ -79,7 +87,9 @@ export interface Diagnostic {
   fixes?: Fix[];
 }
 
+/** Of CLDATA it is an element: the address of a keyword is the keyword, numbers and literals have none. */
 export interface WordInfo { address: string; from: number; to: number; value: number | null }
+/** Of CLDATA it is a record. */
 export interface Block { from: number; to: number; sequence: string | null; words: WordInfo[] }
 
 export type Plane = "xy" | "zx" | "yz";
@@ -167,7 +177,8 @@ export interface Rule {
   name: string;
   family: string;
   title: string;
-  severity: Record<Standard, Severity | null>;
+  /** On a tape by its standard; of a rule on CLDATA `iso3592`. */
+  severity: Record<Standard, Severity | null> & { iso3592?: Severity };
   clauses: string[];
   /** The page in Markdown: what it means, why a control objects, a bad and a good tape. */
   page: string;

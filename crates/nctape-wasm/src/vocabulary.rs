@@ -48,6 +48,9 @@ fn severities(rule: &core_rules::Rule) -> BTreeMap<&'static str, Option<&'static
     for (standard, word, _) in Standard::ALL {
         severities.insert(*word, rule.verdicts.under(*standard).map(|verdict| verdict.severity.name()));
     }
+    if let Some(verdict) = rule.verdicts.on_cldata() {
+        severities.insert("iso3592", Some(verdict.severity.name()));
+    }
     severities
 }
 

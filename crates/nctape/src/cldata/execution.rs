@@ -119,7 +119,7 @@ pub(crate) fn execute(tables: &Tables, dialect: Option<Dialect>) -> Execution {
     let mut state = State {
         tables,
         dialect,
-        spans: Spans::new(3),
+        spans: Spans::new(3, false),
         events: Vec::new(),
         unit: Unit::Millimetre,
         file: File::default(),

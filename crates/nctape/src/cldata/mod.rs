@@ -150,6 +150,16 @@ impl Cldata {
         Some(literal_text(&stream[element.range()]))
     }
 
+    /// The letters of a keyword, in capital letters; empty of any other element.
+    pub fn keyword(&self, element: &Element) -> String {
+        if element.kind != ElementKind::Keyword {
+            return String::new();
+        }
+        let stream = if self.columns.is_some() { &*self.stream.text } else { &self.text };
+        let letters = stream[element.range()].chars().filter(char::is_ascii_alphabetic);
+        letters.map(|letter| letter.to_ascii_uppercase()).collect()
+    }
+
     /// The statement from which a record comes.
     pub fn statement(&self, record: usize) -> Option<Statement<'_>> {
         let file = self.tables.records.get(record)?.file;

@@ -5,7 +5,7 @@ use super::element::Element;
 use super::event::Event;
 use super::execution::{Per, State};
 use super::record::Record;
-use crate::span::{Geometry, Span, SpanKind};
+use crate::span::{Geometry, Offset, Span, SpanKind};
 
 /// The farthest place that is computed with, in the unit of the report: a thousand million of them. Far beyond any
 /// machine, and squares and sums of such lengths are far from the greatest number.
@@ -189,8 +189,8 @@ impl State<'_> {
         let feed = if kind == SpanKind::Rapid { None } else { self.feed_of(blocks.0) };
         let feed = feed.filter(|feed| feed.is_finite() && *feed > 0.0 && !substitute);
         let seconds = feed.map(|feed| length / feed * 60.0).filter(|seconds| seconds.is_finite());
-        self.spans
-            .push(Span { kind, blocks, geometry, start, end, length, feed, seconds, substitute }, std::iter::empty());
+        let span = Span { kind, blocks, geometry, start, end, length, feed, seconds, substitute };
+        self.spans.push(span, Offset::None, std::iter::empty());
     }
 
     /// The feed in the unit of the report per minute; what is lacking is noted.

@@ -1,0 +1,66 @@
+//! `cargo bench --bench cldata`: how fast CLDATA is read, carried out and checked.
+
+#[path = "../tape/measure.rs"]
+#[allow(dead_code, reason = "only some of the measures are taken here")]
+mod measure;
+
+use measure::{Contestant, TIMES_HEAD, TIMES_RULE, compete, grouped, shown};
+use nctape::cldata::{Cldata, Options};
+use std::fmt::Write;
+use std::hint::black_box;
+use std::time::Duration;
+
+const RECORDS: usize = 100_000;
+
+/// A milled profile with an arc in every sixth pair of records, as a CAM system writes it: each motion behind the
+/// identification of its statement.
+fn profile(records: usize) -> String {
+    let mut text = String::from(
+        "1,9000,9,1;\n2,20000,0,SPINDL,RPM,9000.,CLW;\n3,20000,0,FEDRAT,400.,MMPM;\n4,5000,3,'',0,.,.,2.;\n",
+    );
+    let mut next = 5;
+    let (mut x, mut y) = (0.0_f64, 0.0_f64);
+    while next + 2 < records {
+        let step = next / 2;
+        write!(text, "{next},1000,{step},'';\n").expect("a text takes all");
+        if step % 6 == 0 {
+            write!(text, "{},3000,2,0,4,9,'',0,{x:.4},{:.4},-1.5,.,.,1.,1.5;\n", next + 1, y + 1.5).expect("likewise");
+            (x, y) = (x + 1.5, y + 1.5);
+            write!(text, "{},5000,5,'',0,{x:.4},{y:.4},-1.5;\n", next + 2).expect("likewise");
+            next += 3;
+        } else {
+            (x, y) = (x + 0.0123 * (step % 7) as f64, y + 0.0457);
+            write!(text, "{},5000,5,'',0,{x:.4},{y:.4},-1.5;\n", next + 1).expect("likewise");
+            next += 2;
+        }
+    }
+    while next < records {
+        write!(text, "{next},20000,0,PPRINT,'END';\n").expect("likewise");
+        next += 1;
+    }
+    write!(text, "{next},14000;\n:\n").expect("likewise");
+    text
+}
+
+fn main() {
+    let text = profile(RECORDS);
+    let cldata = Cldata::new(&text, &Options::default());
+    let faults = cldata.diagnostics().iter().filter(|found| found.severity > nctape::Severity::Info).count();
+    assert_eq!((cldata.records().len(), faults), (RECORDS, 0), "{:?}", cldata.diagnostics().first());
+    let check = |columns: Option<usize>| {
+        black_box(Cldata::new(black_box(&text), &Options { columns, dialect: None }));
+    };
+    let mut contestants: [Contestant<'_>; 2] =
+        [("as a stream", Box::new(|| check(None))), ("in 72 columns", Box::new(|| check(Some(72))))];
+    let times = compete(&mut contestants, Duration::from_secs(10));
+    println!(
+        "\n{} records of CLDATA, {} bytes: read, carried out and checked.\n",
+        grouped(RECORDS),
+        grouped(text.len())
+    );
+    println!("| what | {TIMES_HEAD} | a record |");
+    println!("| --- | {TIMES_RULE} | --: |");
+    for ((name, _), times) in contestants.iter().zip(&times) {
+        println!("| {name} | {times} | {} |", shown(times.median() / RECORDS as u32));
+    }
+}
