@@ -138,18 +138,23 @@ impl State<'_> {
 
     /// FEDRAT: the value and its unit in either order; what is left out stays.
     fn feed(&mut self, arguments: &[Argument]) {
-        let mut factor = self.file.scale;
-        let own = if self.unit == Unit::Inch { [1.0, 1.0 / 25.4] } else { [25.4, 1.0] };
+        // By what a value is multiplied and divided: 1 / 25,4 is no number that an f64 holds.
+        let own = [self.file.scale, 1.0];
+        let mut factor = own;
+        let (inches, millimetres) = match self.unit {
+            Unit::Inch => ([1.0, 1.0], [1.0, 25.4]),
+            Unit::Millimetre => ([25.4, 1.0], [1.0, 1.0]),
+        };
         for argument in arguments {
             let Argument::Word(unit) = *argument else { continue };
             let (per, unit_factor) = match unit {
-                PERMIN => (Per::Minute, self.file.scale),
-                PERREV => (Per::Revolution, self.file.scale),
-                IPM => (Per::Minute, own[0]),
-                IPR => (Per::Revolution, own[0]),
-                MMPM => (Per::Minute, own[1]),
-                MMPR => (Per::Revolution, own[1]),
-                FPT | INVERS => (Per::Other, 1.0),
+                PERMIN => (Per::Minute, own),
+                PERREV => (Per::Revolution, own),
+                IPM => (Per::Minute, inches),
+                IPR => (Per::Revolution, inches),
+                MMPM => (Per::Minute, millimetres),
+                MMPR => (Per::Revolution, millimetres),
+                FPT | INVERS => (Per::Other, own),
                 _ => continue,
             };
             (self.file.per, factor) = (per, unit_factor);
@@ -158,7 +163,7 @@ impl State<'_> {
             Argument::Number(value) => Some(*value),
             _ => None,
         });
-        self.file.feed = value.map(|value| value * factor).or(self.file.feed);
+        self.file.feed = value.map(|value| value * factor[0] / factor[1]).or(self.file.feed);
     }
 
     /// SPINDL: the speed, where it is one in revolutions, and whether it turns.

@@ -54,6 +54,8 @@ pub(super) struct File {
     pub scale: f64,
     pub unit: Option<i64>,
     pub circle: Option<Circle>,
+    /// The last record of the last motion: continuations up to here belong to it.
+    pub continued: usize,
     pub ended: bool,
     pub moved: bool,
     /// There was a command that MACHIN has to stand before.
@@ -82,6 +84,7 @@ impl Default for File {
             scale: 1.0,
             unit: None,
             circle: None,
+            continued: 0,
             ended: false,
             moved: false,
             commanded: false,

@@ -39,10 +39,11 @@ impl State<'_> {
             }
             Some(5) => {
                 let last = self.continued(index);
+                self.file.continued = last;
                 let points = self.points(index, last, false);
                 self.travel(index, last, &points);
             }
-            Some(6) if !self.continues(index) => {
+            Some(6) if index > self.file.continued || index == 0 => {
                 self.note(Event::StrayContinuation, index, None);
                 let points = self.points(index, index, false);
                 self.travel(index, index, &points);
@@ -68,14 +69,6 @@ impl State<'_> {
             }
         }
         last
-    }
-
-    /// A continuation belongs to a motion before it.
-    fn continues(&self, index: usize) -> bool {
-        let file = self.tables.records[index].file;
-        let before = (0..index).rev().take_while(|before| self.tables.records[*before].file == file);
-        let mut before = before.filter(|before| self.tables.records[*before].kind != 1000);
-        before.find(|before| self.subtype(*before) != Some(6)).is_some_and(|before| self.subtype(before) == Some(5))
     }
 
     /// The points of a motion. A coordinate that cannot be read stays as it was.

@@ -84,7 +84,8 @@ impl Reader<'_> {
 
     fn note_missing_colon(&mut self) {
         let end = self.tables.records.last().map_or(0, |record| record.to as usize);
-        self.note(Slip::NoColon, end.saturating_sub(1)..end);
+        let last = self.stream.text[..end].char_indices().next_back().map_or(0, |(at, _)| at);
+        self.note(Slip::NoColon, last..end);
         self.end_file(None);
     }
 
