@@ -454,7 +454,7 @@ proptest! {
             for (_, written) in record {
                 write!(text, "{gap},{gap}{written}").unwrap();
             }
-            write!(text, "{gap};\n").unwrap();
+            writeln!(text, "{gap};").unwrap();
         }
         text.push(':');
         // In columns a literal must not meet a line end of its own making: a line is filled before it goes on.

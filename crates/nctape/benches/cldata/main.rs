@@ -22,23 +22,23 @@ fn profile(records: usize) -> String {
     let (mut x, mut y) = (0.0_f64, 0.0_f64);
     while next + 2 < records {
         let step = next / 2;
-        write!(text, "{next},1000,{step},'';\n").expect("a text takes all");
+        writeln!(text, "{next},1000,{step},'';").expect("a text takes all");
         if step % 6 == 0 {
-            write!(text, "{},3000,2,0,4,9,'',0,{x:.4},{:.4},-1.5,.,.,1.,1.5;\n", next + 1, y + 1.5).expect("likewise");
+            writeln!(text, "{},3000,2,0,4,9,'',0,{x:.4},{:.4},-1.5,.,.,1.,1.5;", next + 1, y + 1.5).expect("likewise");
             (x, y) = (x + 1.5, y + 1.5);
-            write!(text, "{},5000,5,'',0,{x:.4},{y:.4},-1.5;\n", next + 2).expect("likewise");
+            writeln!(text, "{},5000,5,'',0,{x:.4},{y:.4},-1.5;", next + 2).expect("likewise");
             next += 3;
         } else {
             (x, y) = (x + 0.0123 * (step % 7) as f64, y + 0.0457);
-            write!(text, "{},5000,5,'',0,{x:.4},{y:.4},-1.5;\n", next + 1).expect("likewise");
+            writeln!(text, "{},5000,5,'',0,{x:.4},{y:.4},-1.5;", next + 1).expect("likewise");
             next += 2;
         }
     }
     while next < records {
-        write!(text, "{next},20000,0,PPRINT,'END';\n").expect("likewise");
+        writeln!(text, "{next},20000,0,PPRINT,'END';").expect("likewise");
         next += 1;
     }
-    write!(text, "{next},14000;\n:\n").expect("likewise");
+    writeln!(text, "{next},14000;\n:").expect("likewise");
     text
 }
 

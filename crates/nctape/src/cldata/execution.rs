@@ -129,7 +129,7 @@ pub(crate) fn execute(tables: &Tables, dialect: Option<Dialect>) -> Execution {
         told: Vec::new(),
     };
     let first_unit = tables.records.iter().enumerate().find_map(|(index, _)| state.unit_code(index));
-    let is_inch = first_unit.and_then(millimetres).is_some_and(|length| length % 25.4 == 0.0);
+    let is_inch = matches!(first_unit, Some(3 | 4));
     state.unit = if is_inch { Unit::Inch } else { Unit::Millimetre };
     for records in tables.file_records() {
         // Before the unit is said it is that of the file, as nobody changes the unit midway.
@@ -159,8 +159,12 @@ impl State<'_> {
 
     /// The unit of the report in a unit of the file.
     pub(super) fn scale_of(&self, code: i64) -> f64 {
-        let length = millimetres(code).unwrap_or(1.0);
-        if self.unit == Unit::Inch { length / 25.4 } else { length }
+        match (self.unit, code) {
+            // A foot divided by an inch is no whole number in an f64.
+            (Unit::Inch, 4) => 12.0,
+            (Unit::Inch, code) => millimetres(code).unwrap_or(25.4) / 25.4,
+            (Unit::Millimetre, code) => millimetres(code).unwrap_or(1.0),
+        }
     }
 
     /// The code of the unit that a record says, if it says one.
