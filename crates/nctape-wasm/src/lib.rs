@@ -4,8 +4,8 @@
 //! The types that a script sees are in `types.ts`.
 
 mod argument;
-mod convert;
 mod cldata;
+mod convert;
 mod functions;
 mod live;
 mod offsets;
@@ -19,8 +19,8 @@ mod vocabulary;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 // Rust sees the same names as a script, so that the browser tests can call them.
-pub use convert::{from_decimal, to_decimal};
 pub use cldata::check_cldata;
+pub use convert::{from_decimal, to_decimal};
 pub use functions::{
     check, columns, decimal_places, decode, encode, explain_format, format_line, points, shift_decimals,
     suggest_format, version,
