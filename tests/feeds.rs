@@ -216,6 +216,9 @@ fn the_blocks_of_an_arc_in_two_are_read_together() {
     // A quarter of radius 10 in 15,7 mm, 3,1 s; its blocks have 24 and 21 rows, 1,5 s.
     let tape = run(&format, &["G01F0300", "G02X+000293Y+000707", "X+001000Y+001000M30"]);
     assert_eq!(tape.times(0..3).starved, [false; 3]);
+    // The arc alone is cut while the next two blocks like its own are read: only the first block is waited for.
+    let buffered = tape.time().buffered.unwrap() - tape.times(0..1).reading[0];
+    assert!((buffered - 10.0 * std::f64::consts::FRAC_PI_2 / 300.0 * 60.0).abs() < 1e-3, "{buffered}");
     let tape = run(&format, &["G01F1200", "G02X+000293Y+000707", "X+001000Y+001000M30"]);
     assert_eq!(tape.times(0..3).starved, [false, false, true]);
     let found = tape.diagnostics().into_iter().find(|found| found.id == "FEED-15").unwrap();

@@ -305,6 +305,9 @@ fn the_number_of_the_tool_compensation() {
     format.itemized.compensation_digits = Some(2);
     assert_eq!(number(&format, "N002").as_deref(), Some("03"));
     assert_eq!(number(&format, "N003").as_deref(), Some("04"));
+    // A character that no code has stands among the digits.
+    let odd = tape(&format, &["T050\u{e9}3M06"]);
+    assert_eq!(behind(&odd, "N001").compensation.as_deref(), Some("03"));
 
     let mut format = Format::new(Standard::Iso2539, "N3G2X+42Y+42F4D2T2M2*").classified("CAM 222");
     let letters = [("D".to_owned(), "tool compensation".to_owned())].into_iter().collect();

@@ -153,6 +153,9 @@ pub fn dump(tape: &Tape) -> String {
         let offset = tape.spans().offsets().get(index);
         writeln!(out, "{:?} {start:?} {end:?} {offset:?}", tape.spans().list[index]).unwrap();
     }
+    for registers in tape.registers_of(0..reading.blocks.len()) {
+        writeln!(out, "{registers:?}").unwrap();
+    }
     writeln!(out, "{:?} {:?} {rows:?}", tape.totals(), tape.bounds()).unwrap();
     out
 }

@@ -129,6 +129,7 @@ impl Tape {
             control: &self.control,
             reading: &self.reading,
             execution: &self.execution,
+            skip: self.skip,
             other: self.other.as_ref(),
             seen: self.reading.traits(),
         }

@@ -61,14 +61,16 @@ impl State<'_> {
             return;
         }
         let (components, vectors) = (self.components, self.control.vectors);
-        if self.is_centre_in_vector() {
-            self.note(EventKind::CentreInVector);
+        if let Some(own_reading) = self.centre_in_vector() {
+            self.note(EventKind::CentreInVector { own_reading });
             self.centre_in_vector = true;
             return;
         }
         if !vectors {
             let in_force = matches!(self.compensation.side, Side::Left | Side::Right);
-            if in_force && self.is_unit(components.over([0; 3])) {
+            // One component of length 1 may as well be a move of that axis by 1.
+            let several = components.given.iter().flatten().filter(|given| given.value != 0).count() > 1;
+            if in_force && several && self.is_unit(components.over([0; 3])) {
                 self.note(EventKind::VectorAsAxes);
             }
             return;
@@ -106,22 +108,23 @@ impl State<'_> {
         (length - 1.0).abs() <= 3.0_f64.sqrt() * self.vector_increment()
     }
 
-    /// An arc without I, J and K whose P, Q and R, read in their place, put its end on a circle.
-    fn is_centre_in_vector(&self) -> bool {
-        let Some(Motion::Circle { clockwise }) = self.motion else { return false };
+    /// An arc without I, J and K whose P, Q and R, read in their place, put its end on a circle; whether they do by the
+    /// reading that the format states.
+    fn centre_in_vector(&self) -> Option<bool> {
+        let Some(Motion::Circle { clockwise }) = self.motion else { return None };
         let [first, second, _] = self.plane.axes();
         let is_vector = self.control.vectors && self.is_unit(self.components.over([0; 3]));
         let given = |axis: usize| self.components.given[axis].is_some_and(|given| given.value != 0);
         if self.parametric || self.pending.is_some() || is_vector || !(given(first) || given(second)) {
-            return false;
+            return None;
         }
         if self.is_doubtful([first, second]) || self.components.unread {
-            return false;
+            return None;
         }
         let start = self.position;
         let mut block = self.arc_block(clockwise, &start);
         if block.start == block.end {
-            return false;
+            return None;
         }
         block.tolerance = block.tolerance.max(super::circle::tolerance(self.vector_increment()));
         let centre = |reading: ArcCentre| {
@@ -137,7 +140,9 @@ impl State<'_> {
             })
         };
         let readings = [ArcCentre::Absolute, ArcCentre::FromStart, ArcCentre::ToStart];
-        readings.into_iter().any(|reading| block.about(centre(reading)).is_ok())
+        let fits = |reading: ArcCentre| block.about(centre(reading)).is_ok();
+        let own = [first, second].map(|axis| self.reading(axis));
+        readings.into_iter().any(fits).then(|| own[0] == own[1] && readings.contains(&own[0]) && fits(own[0]))
     }
 
     /// Notes a vector that is not as it was declared, normal or tangent, to the start of a span that cuts.

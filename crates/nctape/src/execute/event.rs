@@ -91,7 +91,7 @@ pub(crate) enum EventKind {
     /// P, Q and R are axes of the format, yet form a unit vector under G41 or G42.
     VectorAsAxes,
     /// P, Q and R are the centre of an arc, for which I, J and K are.
-    CentreInVector,
+    CentreInVector { own_reading: bool },
     /// A motion that could not be drawn at all, because no word of it could be read: the time of the tape is not known.
     LeftOut,
     /// A preparatory function whose effect is not computed.

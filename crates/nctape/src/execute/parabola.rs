@@ -31,13 +31,14 @@ pub(crate) enum ParabolaFault {
 
 impl Parabola {
     /// The parabola whose tangents at the ends have these slopes in a plane, second axis over first: their
-    /// intersection is the tangent point. Slopes say nothing of the third axis of the plane; it goes in proportion to
+    /// intersection is the tangent point, which must be further than a distance from the chord. Slopes say nothing of the third axis of the plane; it goes in proportion to
     /// the curve's parameter, as that of a helix to the angle, so that the span lies in one plane in space.
     pub(crate) fn by_slopes(
         start: [f64; 3],
         end: [f64; 3],
         [first, second, third]: [usize; 3],
         slopes: [f64; 2],
+        tolerance: f64,
     ) -> Result<Parabola, ParabolaFault> {
         if slopes[0] == slopes[1] {
             return Err(ParabolaFault::Parallel);
@@ -48,7 +49,18 @@ impl Parabola {
         tangent[first] = start[first] + along;
         tangent[second] = start[second] + slopes[0] * along;
         tangent[third] = (start[third] + end[third]) / 2.0;
-        Ok(Parabola { start, tangent, end })
+        let curve = Parabola { start, tangent, end };
+        // A tangent along the chord makes a straight line of what is seen in the plane, however the third axis moves.
+        let seen = [start, tangent, end].map(|point| {
+            let mut point = point;
+            point[third] = 0.0;
+            point
+        });
+        let [start, tangent, end] = seen;
+        if (Parabola { start, tangent, end }).is_degenerate(tolerance) {
+            return Err(ParabolaFault::SlopeOfChord);
+        }
+        Ok(curve)
     }
 
     /// The parabola about a focus, which must be further than a distance from the line through the ends.
@@ -247,7 +259,7 @@ mod tests {
     #[test]
     fn slopes_and_focus_give_the_tangent_point() {
         let (start, end) = ([-1.0, 0.25, 0.0], [2.0, 1.0, 0.0]);
-        let slopes = Parabola::by_slopes(start, end, [0, 1, 2], [-0.5, 1.0]).expect("slopes");
+        let slopes = Parabola::by_slopes(start, end, [0, 1, 2], [-0.5, 1.0], 1e-3).expect("slopes");
         assert_eq!(slopes.tangent, [0.5, -0.5, 0.0]);
         let focus = Parabola::about(start, [0.0, 1.0, 0.0], end, 1e-3).expect("a focus");
         let off = norm(subtract(focus.tangent, [0.5, -0.5, 0.0]));
@@ -256,8 +268,11 @@ mod tests {
         assert_eq!(fault(start), ParabolaFault::FocusAtEnd);
         assert_eq!(fault([0.0, 0.5, 0.0]), ParabolaFault::FocusBetween);
         assert_eq!(fault([6.0, 2.0, 0.0]), ParabolaFault::FocusOnLine);
-        let parallel = Parabola::by_slopes(start, end, [0, 1, 2], [0.5, 0.5]);
+        let parallel = Parabola::by_slopes(start, end, [0, 1, 2], [0.5, 0.5], 1e-3);
         assert_eq!(parallel, Err(ParabolaFault::Parallel));
+        // A slope of the chord itself, however the third axis moves: in the plane it is a straight line.
+        let along = Parabola::by_slopes([0.0; 3], [10.0, 0.0, 4.0], [0, 1, 2], [0.0, 1.0], 1e-3);
+        assert_eq!(along, Err(ParabolaFault::SlopeOfChord));
     }
 
     #[test]

@@ -52,11 +52,11 @@ impl State<'_> {
         let slope = |index: usize| self.parameter(index).ok_or(ParabolaFault::NoSlope(index));
         let (start, end) = (self.point(&self.position), self.point(&self.target));
         let axes = self.plane.axes();
-        let curve = Parabola::by_slopes(start, end, axes, [slope(0)?, slope(1)?])?;
+        let curve = Parabola::by_slopes(start, end, axes, [slope(0)?, slope(1)?], self.coarsest())?;
         let first = axes[0];
         let (from, to) = (start[first].min(end[first]), start[first].max(end[first]));
         let turns_back = curve.tangent[first] <= from || curve.tangent[first] >= to;
-        if turns_back && !curve.is_degenerate(self.coarsest()) && !self.is_doubtful(0..self.target.len()) {
+        if turns_back && !self.is_doubtful(0..self.target.len()) {
             self.note(EventKind::TurnsBack);
         }
         Ok(curve)

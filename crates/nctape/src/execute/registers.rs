@@ -94,7 +94,7 @@ pub struct Rate {
 pub struct Dwelling {
     /// As written.
     pub word: String,
-    /// `None` where it is counted in revolutions and the spindle speed is not known.
+    /// `None` where its number cannot be read, or where it is counted in revolutions and the spindle speed is not known.
     pub seconds: Option<f64>,
 }
 
@@ -213,7 +213,8 @@ impl Tape {
                 .map(|word| (written(word), held.tool_change.map(|code| miscellaneous_named(control, code)))),
             compensation: held.compensation.map(|word| {
                 let word = written(word);
-                let digits = word.trim_start_matches(|letter: char| !letter.is_ascii_digit());
+                // A character that no code has may stand among them.
+                let digits: String = word.chars().filter(char::is_ascii_digit).collect();
                 let count = usize::from(control.format.itemized.compensation_digits.unwrap_or(0));
                 let first = if word.starts_with(['D', 'd']) { 0 } else { digits.len().saturating_sub(count) };
                 digits[first..].to_owned()

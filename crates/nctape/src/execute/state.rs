@@ -59,6 +59,11 @@ pub(crate) struct Mode {
     incremental: bool,
     feed: Feed,
     speed: Option<f64>,
+    cutting_speed: bool,
+    coding: FeedCoding,
+    unit: FeedUnit,
+    compensation: Compensation,
+    leads: [i64; 3],
 }
 
 pub(crate) struct State<'a> {
@@ -223,8 +228,9 @@ impl<'a> State<'a> {
     }
 
     pub(crate) fn mode(&self) -> Mode {
-        let State { motion, plane, incremental, feed, speed, .. } = *self;
-        Mode { motion, plane, incremental, feed, speed }
+        let State { motion, plane, incremental, feed, speed, cutting_speed, coding, unit, compensation, leads, .. } =
+            *self;
+        Mode { motion, plane, incremental, feed, speed, cutting_speed, coding, unit, compensation, leads }
     }
 
     pub(crate) fn note(&mut self, kind: EventKind) {

@@ -132,12 +132,20 @@ impl Tape {
         let control = self.control();
         let times = self.times(0..usize::MAX);
         let (mut reading, mut executing, mut longer) = (0.0, 0.0, 0.0);
-        for (seconds, read) in times.executing.iter().zip(&times.reading) {
-            let seconds = seconds.unwrap_or(f64::NAN);
+        // The blocks of one span are read while one like it is cut: they wait for one another together.
+        let mut spans = self.spans().list.iter().filter(|span| span.blocks.0 < span.blocks.1).peekable();
+        let mut index = 0;
+        while index < times.reading.len() {
+            while spans.next_if(|span| span.blocks.0 < index).is_some() {}
+            let last = spans.peek().filter(|span| span.blocks.0 == index).map_or(index, |span| span.blocks.1);
+            let together = index..(last + 1).min(times.reading.len());
+            let seconds: f64 = times.executing[together.clone()].iter().map(|one| one.unwrap_or(f64::NAN)).sum();
+            let read: f64 = times.reading[together.clone()].iter().sum();
             reading += read;
             executing += seconds;
             // Unlike `f64::max` this keeps what is not known.
-            longer += if *read > seconds { *read } else { seconds };
+            longer += if read > seconds { read } else { seconds };
+            index = together.end;
         }
         let known =
             |seconds: f64| Some(seconds).filter(|seconds| seconds.is_finite() && self.totals().seconds.is_some());

@@ -1,6 +1,6 @@
 //! What a format says of the machine, whatever the tape: the data that no listing shows.
 
-use super::{Control, FeedCoding, FeedUnit, Format};
+use super::{Control, DwellUnit, FeedCoding, FeedUnit, Format};
 use crate::span::SpanKind;
 
 /// Rows that a reader draws past its head in a second, where nothing is stated.
@@ -51,7 +51,13 @@ impl Format {
             return untimed("The rapid traverse of the machine is not stated.", Some("itemized.rapid"));
         }
         if kind == SpanKind::Dwell {
-            return untimed("A dwell in revolutions needs a spindle speed, and no S word in force says one.", None);
+            let unit = self.itemized.dwell.as_ref().map(|dwell| dwell.unit);
+            return match unit {
+                Some(DwellUnit::Revolutions) => {
+                    untimed("A dwell in revolutions needs a spindle speed, and no S word in force says one.", None)
+                }
+                _ => untimed("The number of a dwell cannot be read.", None),
+            };
         }
         match (control.feed, control.feed_unit) {
             (FeedCoding::Symbolic, _) => {

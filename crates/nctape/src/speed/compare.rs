@@ -158,12 +158,13 @@ impl Comparison {
         };
         let own = Coding::of(&self.control, self.address());
         let fits = coding.method != FeedCoding::Arithmetic || coding.digits == own.digits;
+        let in_radians = self.control.arc_feed == ArcFeed::Radians;
         let measure = if arc { "the radius of the arc" } else { "the length of the block" };
         Compared {
             method: coding.method,
             title,
             clause,
-            in_force: own.digits > 0 && coding.method == own.method && fits,
+            in_force: own.digits > 0 && coding.method == own.method && fits && (!arc || in_radians),
             code: None,
             speed: None,
             deviation: None,

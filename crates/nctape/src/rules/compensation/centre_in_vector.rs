@@ -14,9 +14,7 @@ pub static RULE: Rule = Rule {
 
 /// Where the arc has no I, J and K, and P, Q and R in their place put its end on a circle.
 pub(crate) fn check(event: &Event, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    if event.kind != EventKind::CentreInVector {
-        return;
-    }
+    let EventKind::CentreInVector { own_reading } = event.kind else { return };
     let block = &tape.reading.blocks[event.block];
     let words = tape.reading.words(block);
     let vector = words.iter().filter(|word| matches!(word.address, b'P' | b'Q' | b'R'));
@@ -32,7 +30,8 @@ pub(crate) fn check(event: &Event, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
             (at..at + 1, char::from(word.address.wrapping_sub(b'P').wrapping_add(b'I')).to_string())
         })
         .collect();
-    let fits = vector.clone().all(|word| alike(word.address)) && words.iter().all(|word| word.tabs == 0);
+    // Under another reading than the format's the same digits would be another centre.
+    let fits = own_reading && vector.clone().all(|word| alike(word.address)) && words.iter().all(|word| word.tabs == 0);
     sink.report(
         &RULE,
         super::vector_words(tape, event.block),

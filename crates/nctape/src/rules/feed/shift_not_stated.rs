@@ -1,6 +1,7 @@
 //! FEED-11: the geometric table seems to be moved, and the format does not say so.
 
 use crate::format::{FeedCoding, FeedUnit};
+use crate::read::Block;
 use crate::rules::prelude::*;
 use crate::speed::{Speed, geometric};
 
@@ -16,6 +17,12 @@ pub static RULE: Rule = Rule {
 /// Places that a table may sensibly be moved: from metres a minute to thousandths of a millimetre.
 const SHIFTS: std::ops::RangeInclusive<u8> = 1..=4;
 
+/// The word says how long its block dwells, and no feed.
+fn is_dwell(tape: &TapeView<'_>, block: &Block, word: &Word) -> bool {
+    let dwells = tape.control.format.itemized.dwell.as_ref().is_some_and(|dwell| dwell.address == word.letter());
+    dwells && tape.reading.words(block).iter().any(|word| word.function(b'G') == Some(4))
+}
+
 /// Said once, with how many words it holds for. Tells whether it was said, which it is in place of FEED-14.
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) -> bool {
     let (control, stated) = (tape.control, &tape.control.format.itemized);
@@ -28,6 +35,9 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) -> bool {
     }
     let mut words = Vec::new();
     for (block, word) in tape.words() {
+        if is_dwell(tape, block, word) {
+            continue;
+        }
         match word.function(b'G') {
             Some(93 | 95) => return false,
             _ if word.address != b'F' => continue,

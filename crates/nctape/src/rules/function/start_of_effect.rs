@@ -1,5 +1,6 @@
 //! FUN-07: a function acts at another moment than its block suggests.
 
+use crate::execute::{Fate, Walk};
 use crate::function::{Miscellaneous, Start, miscellaneous};
 use crate::rules::prelude::*;
 use crate::span::SpanKind;
@@ -21,8 +22,15 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     }
     let (mut turns, mut flows) = (false, false);
     let mut said: Vec<(u8, usize, usize, usize)> = Vec::new();
-    let blocks = tape.reading.blocks.iter().enumerate();
-    for (index, block) in blocks.filter(|(_, block)| block.traits.any(Traits::address(b'M'))) {
+    let mut walk = Walk::new(tape.skip);
+    for (index, block) in tape.reading.blocks.iter().enumerate() {
+        let (fate, restarts) = walk.meet(block, tape.reading.words(block));
+        if restarts {
+            (turns, flows) = (false, false);
+        }
+        if fate != Fate::Executed || !block.traits.any(Traits::address(b'M')) {
+            continue;
+        }
         for (place, word) in tape.reading.words(block).iter().enumerate() {
             let Some(code) = word.function(b'M').filter(|_| word.digits == 2) else { continue };
             let matters = match code {
