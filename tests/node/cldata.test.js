@@ -75,3 +75,12 @@ test("the rules on CLDATA say their verdict", () => {
   const rule = nctape.rules().find((rule) => rule.rule === "CLD-12");
   assert.deepEqual(rule?.severity, { iso2539: null, iso1058: null, rs274: null, iso3592: "error" });
 });
+
+test("the CL text of a CAM system becomes CLDATA, and what is no statement is said", () => {
+  const { text, faults, map } = nctape.clTextToCldata("PARTNO / \u00e9\nFEDRAT / 100, MMPM\nGOTO / 1, 2\nGOTO / 3, 4, 0\nFINI\n");
+  assert.deepEqual(faults.map(({ from, to }) => [from, to]), [[30, 41]]);
+  assert.match(faults[0].message, /^GOTO has 2 numbers/);
+  const [, , records, end] = map[3];
+  assert.equal(text.slice(records, end).split("\n")[1].replace(/^\d+,/, ""), "5000,5,'',0,3.,4.,.;");
+  assert.equal(nctape.checkCldata(text).spans.length, 1);
+});

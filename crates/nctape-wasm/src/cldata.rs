@@ -5,8 +5,9 @@ use crate::offsets::Offsets;
 use crate::report::{self, API, BlockView, ReportView, TotalsView, WordView};
 use crate::value::{from_js, to_js};
 use nctape::Standard;
-use nctape::cldata::{Cldata, Dialect, Options, Record};
+use nctape::cldata::{Cldata, Dialect, Options, Record, apt};
 use nctape::format::value::Value;
+use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 /// The most columns that a record may have.
@@ -44,6 +45,41 @@ pub fn check_cldata(
             seconds: totals.seconds,
         },
     }))
+}
+
+#[derive(Serialize)]
+struct TranslatedView {
+    text: String,
+    faults: Vec<FaultView>,
+    map: Vec<[usize; 4]>,
+}
+
+#[derive(Serialize)]
+struct FaultView {
+    from: usize,
+    to: usize,
+    message: String,
+}
+
+/// The CL text of a CAM system (`GOTO / 1.0, 2.0, 3.0`) in the reference language. It is no part of ISO 3592; what is no
+/// statement is kept in a 1000 record and said.
+#[wasm_bindgen(js_name = clTextToCldata, unchecked_return_type = "TranslatedClText")]
+pub fn cl_text_to_cldata(
+    #[wasm_bindgen(unchecked_param_type = "string")] source: &JsValue,
+) -> Result<JsValue, JsValue> {
+    let source = argument::text(source, "source")?;
+    let found = apt::translate(&source);
+    let (from, to) = (Offsets::new(&source), Offsets::new(&found.text));
+    let fault = |fault: apt::Fault| FaultView {
+        from: from.utf16(fault.range.start),
+        to: from.utf16(fault.range.end),
+        message: fault.message,
+    };
+    let map = found.map.iter().map(|(statement, records)| {
+        [from.utf16(statement.start), from.utf16(statement.end), to.utf16(records.start), to.utf16(records.end)]
+    });
+    let map = map.collect();
+    Ok(to_js(&TranslatedView { faults: found.faults.into_iter().map(fault).collect(), map, text: found.text }))
 }
 
 /// How the text is to be read.

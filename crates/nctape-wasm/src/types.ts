@@ -228,6 +228,15 @@ export interface DecodeOptions {
   /** Count the characters of each block, as a control with TV check does: false. */
   countBlocks?: boolean;
 }
+/** CL text of a CAM system, turned into the reference language of ISO 3592. */
+export interface TranslatedClText {
+  text: string;
+  /** The statements that became no command: they are kept in 1000 records. */
+  faults: { from: number; to: number; message: string }[];
+  /** From each statement to its records: from, to in the source -> from, to in the text. */
+  map: [number, number, number, number][];
+}
+
 /** What a conversion gave. */
 export interface Converted {
   text: string;

@@ -14,6 +14,7 @@
 //! assert_eq!(cldata.spans().list[0].length, 50.0);
 //! ```
 
+pub mod apt;
 mod characters;
 mod circle;
 mod command;
