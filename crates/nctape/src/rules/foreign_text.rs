@@ -2,6 +2,7 @@
 
 use super::prelude::*;
 use super::{number, tape};
+use crate::convert::from_decimal;
 use crate::format::DIMENSION_LETTERS;
 use std::ops::Range;
 
@@ -9,6 +10,9 @@ use std::ops::Range;
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) -> bool {
     todays_code(tape, sink) || source(tape, sink)
 }
+
+/// Bytes of a text that is offered as a tape: to know what the fix writes, the text is converted at every check.
+const MOST_CONVERTED: usize = 100_000;
 
 /// Today's G-code: most dimension words, those that are a mere 0 left aside, have a decimal point. One such word with
 /// all the digits of the format is a slip, and NUM-03 mends it.
@@ -40,7 +44,12 @@ fn todays_code(tape: &TapeView<'_>, sink: &mut Sink<'_>) -> bool {
          no decimal sign; the format says where it is understood. Nothing else is checked.",
         if points == 1 { "has" } else { "have" }
     );
-    sink.report(&number::decimal_sign::RULE, at..at + 1, message).count(points);
+    let converted = || {
+        let written = from_decimal(tape.text, &tape.control.format).text;
+        Fix::replace("Write it as a tape of this format", 0..tape.text.len(), written)
+    };
+    let fix = (tape.text.len() <= MOST_CONVERTED).then(converted);
+    sink.report(&number::decimal_sign::RULE, at..at + 1, message).count(points).fixes(fix);
     true
 }
 
@@ -133,6 +142,15 @@ mod tests {
         let format = Format::new(Standard::Iso2539, "N3G2X+42Y+32F4M2*").classified("CAM 222");
         let tape = Tape::new(text, &format);
         tape.diagnostics().iter().map(|found| (found.id, found.range.start, found.count)).collect()
+    }
+
+    #[test]
+    fn todays_code_is_offered_as_a_tape() {
+        let format = Format::new(Standard::Iso2539, "N3G2X+42Y+32F4M2*").classified("CAM 222");
+        let tape = Tape::new("G21\nG1 X10.5 Y-3. F300\nM30\n", &format);
+        let edit = &tape.diagnostics()[0].fixes[0].edits[0];
+        assert_eq!(edit.range, 0..tape.text().len());
+        assert_eq!(edit.insert, "%\nN001 G01 X+001050 Y-00300 F0300\nN002 M30\n");
     }
 
     #[test]
