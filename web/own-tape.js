@@ -28,9 +28,9 @@ export function makePicker({ presets, choose, current, load, own: earlier, guest
   const visiting = el('option', { value: GUEST, hidden: true });
   picker.replaceChildren(
     own,
-    visiting,
     ...presets.map(({ id, title }) => el('option', { value: id }, title)),
     el('option', { value: EMPTY }, 'Empty tape'),
+    visiting,
   );
   /** What was written before an example was opened. @type {Whole | null} */
   let kept = earlier;

@@ -55,7 +55,7 @@ export function makeTotals({ store, engine, kinds, openFormat, show }) {
         ['Rapid', longLength(totals.rapid, unit)],
         ['Within', bounds === null ? 'no motion' : boxWords(bounds, summary)],
       ],
-      [['Machining', summary.spans === 0 ? 'no motion' : time(totals.seconds), ' ', timesButton, ...why()]],
+      [['Machining', summary.spans === 0 ? 'no motion' : time(totals.seconds), ...why(), ' ', timesButton]],
     ];
     box.replaceChildren(
       ...lines.map((parts) =>

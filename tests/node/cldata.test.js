@@ -77,10 +77,10 @@ test("the rules on CLDATA say their verdict", () => {
 });
 
 test("the CL text of a CAM system becomes CLDATA, and what is no statement is said", () => {
-  const { text, faults, map } = nctape.clTextToCldata("PARTNO / \u00e9\nFEDRAT / 100, MMPM\nGOTO / 1, 2\nGOTO / 3, 4, 0\nFINI\n");
+  const { text, faults, map } = nctape.clTextToCldata("PARTNO / \u00e9\nFEDRAT / 100, MMPM\nGOTO / 1, 2\nFROM / 0, 0, 0\nGOTO / 3, 4, 0\nFINI\n");
   assert.deepEqual(faults.map(({ from, to }) => [from, to]), [[30, 41]]);
   assert.match(faults[0].message, /^GOTO has 2 numbers/);
-  const [, , records, end] = map[3];
+  const [, , records, end] = map[4];
   assert.equal(text.slice(records, end).split("\n")[1].replace(/^\d+,/, ""), "5000,5,'',0,3.,4.,.;");
   assert.equal(nctape.checkCldata(text).spans.length, 1);
 });
