@@ -26,6 +26,8 @@ export async function openPlayground(started, blocks) {
   await quiet(page);
   await page.locator('#format-button').click();
   await page.locator('#field-detail').fill(DETAIL);
+  // One that is never waited for: FEED-15 has nothing to say of the tape.
+  await page.locator('#field-itemized-readerSpeed').fill('100000');
   await quiet(page);
   await page.locator('#format-button').click();
   await watchEditor(page);
