@@ -67,7 +67,9 @@ export function makeReplay({ store, engine, onPlace }) {
     if (asking) return;
     asking = true;
     let known = stretches.block(at.block);
-    while (known === null && (await (led ? stretches.fetch(at.block) : stretches.fetchSingle(at.block)))) {
+    // Where the typing has paused one block is enough; a cursor that goes on from there wants its neighbours too.
+    const many = led || stretches.single !== null;
+    while (known === null && (await (many ? stretches.fetch(at.block) : stretches.fetchSingle(at.block)))) {
       known = stretches.block(at.block);
     }
     asking = false;
