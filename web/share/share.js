@@ -1,5 +1,6 @@
 // The menu that makes a link of the tape.
 import { button, byId, el } from '../dom.js';
+import { makeMenu } from '../menu.js';
 import { whole as figure } from '../words.js';
 import { linkOf, MOST_CHARACTERS } from './link.js';
 
@@ -9,14 +10,13 @@ import { linkOf, MOST_CHARACTERS } from './link.js';
  * @param {() => Whole} current
  */
 export function makeShare(current) {
-  const menu = byId('share-menu', HTMLElement);
-  const opener = byId('share-button', HTMLElement);
+  const box = byId('share-menu', HTMLElement);
   const link = el('input', { class: 'share-link', type: 'text', readonly: true, 'aria-label': 'Link to this tape', id: 'share-link' });
   const said = el('p', { class: 'menu-note', role: 'status', id: 'share-said' });
   const copy = button('menu-item', 'Copy the link', () => void put(link.value, 'The link is copied.'), { id: 'copy-link' });
   const markdown = button('menu-item', 'Copy it as Markdown', () => void put(`[NC tape](${link.value})`, 'Copied as Markdown.'), { id: 'copy-markdown' });
   const file = button('menu-item', 'Save the listing instead', () => {
-    show(false);
+    menu.close();
     byId('save-listing', HTMLElement).click();
   });
   // From its end to its start, which is what is seen of it.
@@ -41,25 +41,9 @@ export function makeShare(current) {
     said.textContent = tooLong
       ? `As a link this tape would have ${figure(address.length)} characters. Mail, chat and course systems cut links beyond some ${figure(MOST_CHARACTERS)}, so that nothing of it would open. Send its listing as a file.`
       : 'The program and its format are in the link itself, behind the #. No server gets to see them.';
-    menu.replaceChildren(el('h2', { class: 'menu-first' }, 'Share this tape'), ...(tooLong ? [said, file] : [link, copy, markdown, said]));
+    box.replaceChildren(el('h2', { class: 'menu-first' }, 'Share this tape'), ...(tooLong ? [said, file] : [link, copy, markdown, said]));
   }
 
-  /** @param {boolean} open */
-  async function show(open) {
-    if (open) await tell();
-    menu.hidden = !open;
-    opener.setAttribute('aria-expanded', String(open));
-    if (open) /** @type {HTMLElement | null} */ (menu.querySelector('input, button'))?.focus();
-    else if (menu.contains(document.activeElement)) opener.focus();
-  }
-  menu.addEventListener('keydown', (event) => {
-    if (event.key !== 'Escape') return;
-    event.stopPropagation();
-    opener.focus();
-    void show(false);
-  });
-  window.addEventListener('pointerdown', ({ target }) => {
-    if (target instanceof Node && !menu.contains(target) && !opener.contains(target) && !menu.hidden) void show(false);
-  });
-  return { toggle: () => show(menu.hidden === true) };
+  const menu = makeMenu({ menu: box, opener: byId('share-button', HTMLElement), fill: tell });
+  return { toggle: menu.toggle };
 }
