@@ -473,3 +473,66 @@ proptest! {
         }
     }
 }
+
+/// From a place of the text to its record, the element there and the span that ends in it, and back.
+#[test]
+fn places_records_and_spans_lead_to_one_another() {
+    let text = "1,5000,3,'',0,.,.,.;\n2,5000,5,'',0,10.,.,.,10.,10.,.;\n3,1000,7,'';\n4,5000,6,'',0,.,10.,.;\n\
+                5,3000,2,0,4,9,'C1',0,.,.,.,.,.,1.,10.;\n6,5000,5,'',0,-10.,.,.;\n7,15000,1;\n8,14000;\n:\n";
+    let cldata = read(text);
+    let at = |pattern: &str| text.find(pattern).unwrap();
+    let record = |pattern: &str| cldata.record_at(at(pattern)).unwrap();
+    assert_eq!([record("1,5000"), record("2,5000"), record("3,1000"), record("6,5000")], [0, 1, 2, 5]);
+    assert_eq!(cldata.record_at(at("2,5000") - 1), Some(0), "behind a record is still of it");
+    assert_eq!(cldata.record_at(text.len()), None);
+    // Record 2 has two points: the first span ends in the one, the second in the other.
+    assert_eq!(cldata.spans_of(1), 0..2);
+    for (place, span) in [("2,5000", 0), ("10.,.,.,10.", 0), (".,.,10.,10.", 0), ("10.,10.,.;", 1)] {
+        assert_eq!(cldata.span_at(1, at(place)), Some(span), "{place}");
+    }
+    assert_eq!(cldata.span_at(3, at("4,5000")), Some(2), "a continuation has its own point");
+    assert_eq!(
+        (cldata.span_at(4, at("5,3000")), cldata.span_at(5, at("6,5000"))),
+        (Some(3), Some(3)),
+        "an arc has two"
+    );
+    assert_eq!(cldata.span_at(0, 0), None);
+    let ends = (0..4).map(|span| cldata.element_range(cldata.end_of_span(span).unwrap()).start);
+    let points = [at("10.,.,."), at("10.,10.,.;"), at("4,5000") + 14, at("-10.,.")];
+    assert_eq!(ends.collect::<Vec<_>>(), points);
+    assert_eq!((0..8).filter(|record| cldata.is_kept(*record)).collect::<Vec<_>>(), [6]);
+}
+
+/// What a file holds at a record is what carrying it out from its beginning gives, however far the record is.
+#[test]
+fn what_a_file_holds_at_a_record() {
+    let mut text =
+        String::from("1,9000,9,3;\n2,20000,0,LOADTL,7.;\n3,20000,0,SPINDL,500.,CLW;\n4,20000,0,COOLNT,MIST;\n");
+    text.push_str("5,20000,0,FEDRAT,.01,PERREV;\n6,6000,6,.5;\n7,5000,3,'',0,.,.,.;\n");
+    for number in 8..1000 {
+        writeln!(text, "{number},5000,5,'',0,{number}.,.,.;").unwrap();
+    }
+    text.push_str("1000,20000,0,RAPID;\n1001,6000,1,1;\n1002,20000,0,SPINDL,OFF;\n");
+    let cldata = read(&text);
+    let says = |record: usize, name: &str| {
+        let held = cldata.held(record).unwrap();
+        let register = held.registers.into_iter().find(|register| register.name == name).unwrap();
+        (register.says, register.stated)
+    };
+    let stated = |words: &str| (words.to_owned(), true);
+    let taken = |words: &str| (words.to_owned(), false);
+    assert_eq!((says(0, "Tool"), says(0, "Lengths")), (taken("not stated"), stated("inches")));
+    assert_eq!(says(998, "Tool"), stated("number 7"));
+    assert_eq!(says(998, "Spindle"), stated("500 rev/min clockwise"));
+    assert_eq!(says(998, "Coolant"), stated("mist"));
+    assert_eq!(says(998, "Feed"), stated("0.01 in/rev"));
+    assert_eq!(says(998, "Cutter"), stated("diameter 0.5 in"));
+    assert_eq!(says(998, "Next motion"), taken("a straight line at the feed"));
+    assert_eq!(says(1001, "Next motion"), stated("at rapid traverse"));
+    assert_eq!((says(1001, "Spindle"), says(1000, "Motions")), (stated("off"), stated("not put out")));
+    assert_eq!((cldata.held(5).unwrap().position, cldata.held(6).unwrap().position), (None, Some([0.0; 3])));
+    for record in [255, 256, 512, 700, 998] {
+        assert_eq!(cldata.held(record).unwrap().position, Some([record as f64 + 1.0, 0.0, 0.0]));
+    }
+    assert_eq!(cldata.held(2000), None);
+}

@@ -21,7 +21,7 @@ use nctape::cldata::{Cldata, Options};
 use nctape::convert::{Dialect, from_decimal, to_decimal};
 use nctape::format::{FormatDiagnostic, explain, explain_read};
 use nctape::rules::{ALL, Rule};
-use nctape::{Diagnostic, Format, Severity, Standard, Tape};
+use nctape::{Diagnostic, Format, Language, Severity, Standard, Tape};
 use page::{CldataExample, FormatExample, Page, TapeExample};
 use std::collections::BTreeSet;
 
@@ -194,6 +194,12 @@ fn check_tape(rule: &'static Rule, example: &TapeExample, under: &FormatExample)
         }
         for fix in &found.fixes {
             let (text, format) = fixed(fix, &example.text, &under.format);
+            if fix.language == Some(Language::Cldata) {
+                let left = Cldata::new(&text, &Options::default());
+                let left = left.diagnostics().iter().filter(|found| weighs(found));
+                faults.extend(left.map(|found| format!("the fix {:?} leads to {}", fix.title, told(found, &text))));
+                continue;
+            }
             let weight = |found: &[Diagnostic]| -> usize {
                 found.iter().filter(|found| found.rule.name == rule.name).map(|found| found.count).sum()
             };

@@ -83,7 +83,7 @@ pub fn cl_text_to_cldata(
 }
 
 /// How the text is to be read.
-fn reading(options: &JsValue) -> Result<Options, JsValue> {
+pub(crate) fn reading(options: &JsValue) -> Result<Options, JsValue> {
     let mut reading = Options::default();
     if options.is_undefined() || options.is_null() {
         return Ok(reading);
@@ -108,7 +108,7 @@ fn reading(options: &JsValue) -> Result<Options, JsValue> {
 }
 
 /// A record with its elements. The address of a keyword is the keyword; numbers and literals have none.
-fn block(cldata: &Cldata, record: &Record, offsets: &Offsets) -> BlockView {
+pub(crate) fn block(cldata: &Cldata, record: &Record, offsets: &Offsets) -> BlockView {
     let units = |range: &std::ops::Range<usize>| (offsets.utf16(range.start), offsets.utf16(range.end));
     let elements = cldata.elements(record);
     let words = elements.iter().map(|element| {

@@ -10,6 +10,7 @@ mod functions;
 mod live;
 mod offsets;
 mod paper;
+mod path;
 mod replay;
 mod report;
 mod speeds;

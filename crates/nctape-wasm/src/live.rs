@@ -1,11 +1,12 @@
 //! The live tape: one text that is edited, asked for what is visible.
 
 use crate::argument;
-use crate::functions::{points_to_js, set};
+use crate::functions::set;
 use crate::offsets::Offsets;
+use crate::path::{change_to_js, path_to_js};
 use crate::report::{self, BlockView, TotalsView};
 use crate::value::to_js;
-use nctape::{Kept, Severity, Tape as CoreTape};
+use nctape::{Bounds, Format, Kept, Severity, Tape as CoreTape};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
@@ -43,14 +44,28 @@ struct Summary {
     warnings: usize,
     infos: usize,
     totals: TotalsView,
-    bounds: Option<Bounds>,
+    bounds: Option<BoundsView>,
     compensated: bool,
 }
 
 #[derive(Serialize)]
-struct Bounds {
+pub(crate) struct BoundsView {
     min: [f64; 3],
     max: [f64; 3],
+}
+
+impl From<Bounds> for BoundsView {
+    fn from(bounds: Bounds) -> BoundsView {
+        BoundsView { min: bounds.least, max: bounds.greatest }
+    }
+}
+
+impl Tape {
+    /// A tape of a text that is read under a format.
+    pub(crate) fn of(source: &str, format: &Format, skip: bool) -> Tape {
+        let tape = CoreTape::with_skip(source, format, skip);
+        Tape { tape, offsets: Offsets::new(source), edit: 0, told: Vec::new(), paths: 0 }
+    }
 }
 
 #[derive(Serialize)]
@@ -74,22 +89,16 @@ impl Tape {
         let source = argument::text(source, "source")?;
         let (format, _) = argument::format(format)?;
         let options = argument::options(options)?;
-        let tape = CoreTape::with_skip(&source, &format, options.skip);
-        Ok(Tape { tape, offsets: Offsets::new(&source), edit: 0, told: Vec::new(), paths: 0 })
+        Ok(Tape::of(&source, &format, options.skip))
     }
 
     /// Replaces the text between two offsets; answers the number of the edit.
     ///
     /// Where an end lies within a surrogate pair, the half that stays becomes U+FFFD, as JavaScript shows it.
     pub fn edit(&mut self, from: u32, to: u32, insert: &str) -> u32 {
-        let (start, splits_start) = self.offsets.byte(from as usize);
-        let (end, splits_end) = self.offsets.byte(to.max(from) as usize);
-        let pair = |at: usize| self.tape.text()[at..].chars().next().map_or(at, |c| at + c.len_utf8());
-        let end = if splits_end { pair(end) } else { end.max(start) };
-        let half = |splits: bool| if splits { "\u{FFFD}" } else { "" };
-        let text = format!("{}{insert}{}", half(splits_start), half(splits_end));
-        self.tape.edit(start..end, &text);
-        self.offsets.edit(self.tape.text(), start, end - start, text.len());
+        let (range, text) = self.offsets.edit_in_bytes(self.tape.text(), from, to, insert);
+        self.tape.edit(range.clone(), &text);
+        self.offsets.edit(self.tape.text(), range.start, range.len(), text.len());
         let kept = self.tape.last_kept();
         for told in &mut self.told {
             told.kept.first = told.kept.first.min(kept.first);
@@ -140,7 +149,7 @@ impl Tape {
             infos: self.tape.count(Severity::Info),
             totals: report::totals(&self.tape),
             compensated: self.tape.spans().offsets().iter().any(|offset| *offset != nctape::span::Offset::None),
-            bounds: self.tape.bounds().map(|it| Bounds { min: it.least, max: it.greatest }),
+            bounds: self.tape.bounds().map(BoundsView::from),
         })
     }
 
@@ -332,10 +341,7 @@ impl Tape {
         let told = Told { number: self.paths, tolerance, kept: Kept { first: spans, last: spans }, blocks };
         self.told = base.into_iter().chain([told]).collect();
         let object = self.path_of(kept, tolerance);
-        set(&object, "number", &self.paths.into());
-        set(&object, "first", &(kept.first as u32).into());
-        set(&object, "last", &(kept.last as u32).into());
-        set(&object, "shift", &shift.into());
+        change_to_js(&object, self.paths, [kept.first, kept.last], shift);
         Ok(object.into())
     }
 
@@ -343,14 +349,6 @@ impl Tape {
     fn path_of(&self, kept: Kept, tolerance: f64) -> js_sys::Object {
         let count = self.tape.spans().list.len();
         let range = kept.first..count - kept.last;
-        let spans = &self.tape.spans().list[range.clone()];
-        let object = points_to_js(&self.tape.points_of(range, tolerance));
-        let kinds: Vec<u8> = spans.iter().map(|span| span.kind.index() as u8 + 1).collect();
-        let substitutes: Vec<u8> = spans.iter().map(|span| u8::from(span.substitute)).collect();
-        let blocks: Vec<u32> = spans.iter().flat_map(|span| [span.blocks.0 as u32, span.blocks.1 as u32]).collect();
-        set(&object, "kinds", &js_sys::Uint8Array::from(kinds.as_slice()));
-        set(&object, "substitutes", &js_sys::Uint8Array::from(substitutes.as_slice()));
-        set(&object, "blocks", &js_sys::Uint32Array::from(blocks.as_slice()));
-        object
+        path_to_js(&self.tape.spans().list[range.clone()], &self.tape.points_of(range, tolerance))
     }
 }

@@ -1,5 +1,7 @@
 //! Offsets: bytes inside, UTF-16 code units outside; lines and columns.
 
+use std::ops::Range;
+
 /// Where bytes and UTF-16 code units of a text part, and where its lines begin.
 ///
 /// A text of ASCII alone needs no table: its offsets are the same in both.
@@ -25,6 +27,17 @@ impl Offsets {
     pub(crate) fn new(text: &str) -> Offsets {
         let (wide, lines, _) = scan(text, 0, 0);
         Offsets { wide, lines: [0].into_iter().chain(lines).collect(), length: text.len() }
+    }
+
+    /// What an edit between two code units of a text replaces, in bytes, and by what. Where an end lies within a
+    /// surrogate pair, the half that stays becomes U+FFFD, as JavaScript shows it.
+    pub(crate) fn edit_in_bytes(&self, text: &str, from: u32, to: u32, insert: &str) -> (Range<usize>, String) {
+        let (start, splits_start) = self.byte(from as usize);
+        let (end, splits_end) = self.byte(to.max(from) as usize);
+        let pair = |at: usize| text[at..].chars().next().map_or(at, |c| at + c.len_utf8());
+        let end = if splits_end { pair(end) } else { end.max(start) };
+        let half = |splits: bool| if splits { "\u{FFFD}" } else { "" };
+        (start..end, format!("{}{insert}{}", half(splits_start), half(splits_end)))
     }
 
     /// Follows an edit: `removed` bytes at byte `at` gave way to `inserted` ones, which makes `text`.

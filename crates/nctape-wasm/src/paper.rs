@@ -3,6 +3,7 @@
 use crate::argument::{self, code_word, malformed};
 use crate::functions::{DecodedView, decoded, set};
 use crate::value::{Plain, to_js};
+use nctape::Language;
 use nctape::code::lettering as letters;
 use nctape::code::{Code, Opened, about_tape, open};
 use nctape::format::{TapeCode, TapeEnd};
@@ -85,6 +86,7 @@ pub fn row_words(row: u8) -> JsValue {
 #[derive(Serialize)]
 struct OpenedView {
     kind: &'static str,
+    language: &'static str,
     text: String,
     reason: String,
     format: Plain,
@@ -102,7 +104,8 @@ pub fn open_file(
     let (mut format, _) = argument::format(format)?;
     Ok(to_js(&match open(&bytes) {
         Opened::Listing { text, reason } => {
-            OpenedView { kind: "listing", text, reason, format: Plain(format.write()), decoded: None }
+            let language = Language::of(&text).name();
+            OpenedView { kind: "listing", language, text, reason, format: Plain(format.write()), decoded: None }
         }
         Opened::Image { decoded: found, reason } => {
             let (code, end) = match found.code {
@@ -119,6 +122,7 @@ pub fn open_file(
             }
             OpenedView {
                 kind: "image",
+                language: Language::of(&found.text).name(),
                 text: found.text.clone(),
                 reason,
                 format: Plain(format.write()),

@@ -4,7 +4,7 @@ use crate::offsets::Offsets;
 use crate::value::Plain;
 use nctape::read::Block;
 use nctape::span::{Geometry, Spans};
-use nctape::{Diagnostic, ROW_PITCH_MILLIMETRES, Standard, Tape};
+use nctape::{Diagnostic, Language, ROW_PITCH_MILLIMETRES, Standard, Tape};
 use serde::Serialize;
 use std::ops::Range;
 
@@ -58,6 +58,8 @@ struct FixView {
     edits: Vec<EditView>,
     #[serde(skip_serializing_if = "Option::is_none")]
     format: Option<Plain>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    kind: Option<&'static str>,
 }
 
 #[derive(Serialize)]
@@ -136,7 +138,8 @@ pub(crate) fn diagnostic(found: &Diagnostic, standard: Standard, offsets: &Offse
             EditView { from, to, insert: edit.insert.clone() }
         });
         let format = fix.format.as_ref().map(|format| Plain(format.write()));
-        FixView { title: fix.title.clone(), edits: edits.collect(), format }
+        let kind = fix.language.map(Language::name);
+        FixView { title: fix.title.clone(), edits: edits.collect(), format, kind }
     });
     DiagnosticView {
         rule: found.id,

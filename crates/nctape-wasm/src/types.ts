@@ -68,7 +68,10 @@ export type Severity = "error" | "warning" | "info";
 
 export interface Edit { from: number; to: number; insert: string }
 export interface Related { from: number; to: number; message: string }
-export interface Fix { title: string; edits?: Edit[]; format?: Format }
+/** `kind`: once the edits are made, the text is to be read in that language instead. */
+export interface Fix { title: string; edits?: Edit[]; format?: Format; kind?: SourceKind }
+/** A text is a tape, or the CLDATA that a tape is made of. */
+export type SourceKind = "tape" | "cldata";
 
 /** Offsets are UTF-16 code units into the string as given; line and column count from 1. */
 export interface Diagnostic {
@@ -187,7 +190,8 @@ export interface Preset {
   id: string;
   title: string;
   about: string;
-  kind: "tape" | "cldata";
+  kind: SourceKind;
+  /** Of CLDATA, the format that it is posted to. */
   format: Format;
   source: string;
   /** Where the cursor stands when the preset opens. */
@@ -263,6 +267,8 @@ export interface RowIssue { row: number; byte: number; rule: string; kind: strin
 /** What a file holds: a listing, or the image of a tape with what was found in its rows. */
 export interface OpenedFile {
   kind: "listing" | "image";
+  /** What the text is written in, by most of its lines. */
+  language: SourceKind;
   text: string;
   /** Why it was taken for the one or the other. */
   reason: string;

@@ -65,6 +65,32 @@ pub struct Fix {
     pub edits: Vec<Edit>,
     /// The format to check against instead.
     pub format: Option<Box<Format>>,
+    /// The language to read the text in instead, once it is edited.
+    pub language: Option<Language>,
+}
+
+/// The two languages of the playground.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Language {
+    /// The blocks of a tape (ISO 2539, ISO 1058, EIA RS-274).
+    Tape,
+    /// The records that a tape is made of (ISO 3592).
+    Cldata,
+}
+
+impl Language {
+    /// What a text is written in, by most of its lines. The CL text of a CAM system, which becomes CLDATA, counts as that.
+    pub fn of(text: &str) -> Language {
+        if crate::rules::is_source(text) { Language::Cldata } else { Language::Tape }
+    }
+
+    /// "tape" or "cldata".
+    pub fn name(self) -> &'static str {
+        match self {
+            Language::Tape => "tape",
+            Language::Cldata => "cldata",
+        }
+    }
 }
 
 /// Replaces a range of the text.
@@ -79,18 +105,23 @@ pub struct Edit {
 impl Fix {
     /// A fix that replaces one range.
     pub fn replace(title: impl Into<String>, range: Range<usize>, insert: impl Into<String>) -> Fix {
-        Fix { title: title.into(), edits: vec![Edit { range, insert: insert.into() }], format: None }
+        Fix { title: title.into(), edits: vec![Edit { range, insert: insert.into() }], format: None, language: None }
     }
 
     /// A fix that replaces several ranges, in order and apart.
     pub(crate) fn edits(title: impl Into<String>, edits: impl IntoIterator<Item = (Range<usize>, String)>) -> Fix {
         let edits = edits.into_iter().map(|(range, insert)| Edit { range, insert }).collect();
-        Fix { title: title.into(), edits, format: None }
+        Fix { title: title.into(), edits, format: None, language: None }
+    }
+
+    /// A fix that reads the text, or another one in its place, in another language.
+    pub(crate) fn open_as(language: Language, title: impl Into<String>, edit: Option<(Range<usize>, String)>) -> Fix {
+        Fix { language: Some(language), ..Fix::edits(title, edit) }
     }
 
     /// A fix that changes the format.
     pub fn reformat(title: impl Into<String>, format: Format) -> Fix {
-        Fix { title: title.into(), edits: Vec::new(), format: Some(Box::new(format)) }
+        Fix { title: title.into(), edits: Vec::new(), format: Some(Box::new(format)), language: None }
     }
 }
 

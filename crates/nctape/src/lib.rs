@@ -66,7 +66,7 @@ mod suggest;
 pub mod offset;
 pub mod presets;
 
-pub use diagnostic::{Diagnostic, Severity};
+pub use diagnostic::{Diagnostic, Language, Severity};
 pub use execute::{
     BlockTimes, Bounds, Course, Dwelling, Fate, Kept, Modal, Named, Rate, Registers, Step, Stop, TapeTime, Totals,
     Turning, ZeroRows,

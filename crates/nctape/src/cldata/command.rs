@@ -19,6 +19,11 @@ const RAPID: Key = Key::of("RAPID");
 const FEDRAT: Key = Key::of("FEDRAT");
 const SPINDL: Key = Key::of("SPINDL");
 const LOADTL: Key = Key::of("LOADTL");
+const TOOLNO: Key = Key::of("TOOLNO");
+const TURRET: Key = Key::of("TURRET");
+const COOLNT: Key = Key::of("COOLNT");
+const CLW: Key = Key::of("CLW");
+const CCLW: Key = Key::of("CCLW");
 const CUTCOM: Key = Key::of("CUTCOM");
 const CYCLE: Key = Key::of("CYCLE");
 const MULTAX: Key = Key::of("MULTAX");
@@ -112,7 +117,19 @@ impl State<'_> {
             }
             FEDRAT => self.feed(&arguments),
             SPINDL => self.spindle(&arguments),
-            LOADTL if self.file.turning => self.note(Event::ToolWithSpindle, index, None),
+            LOADTL | TOOLNO | TURRET => {
+                if word == LOADTL && self.file.turning {
+                    self.note(Event::ToolWithSpindle, index, None);
+                }
+                self.file.tool = number_of(&arguments).or(self.file.tool);
+            }
+            COOLNT => {
+                let words = arguments.iter().find_map(|argument| match argument {
+                    Argument::Word(key) => Some(*key),
+                    _ => None,
+                });
+                self.file.coolant = words.or(self.file.coolant);
+            }
             CUTCOM => {
                 if self.file.circle.is_some() {
                     self.note(Event::CompensationOnArc, index, None);
@@ -126,6 +143,7 @@ impl State<'_> {
             END => {
                 self.file.ended = true;
                 self.file.turning = false;
+                self.file.coolant = self.file.coolant.map(|_| OFF);
             }
             MACHIN if self.file.commanded => self.note(Event::LateMachin, index, None),
             INDEX | COPY | TRACUT | ORIGIN | TRANS | ROTABL | ROTHED | INSERT | THREAD => {
@@ -159,10 +177,7 @@ impl State<'_> {
             };
             (self.file.per, factor) = (per, unit_factor);
         }
-        let value = arguments.iter().find_map(|argument| match argument {
-            Argument::Number(value) => Some(*value),
-            _ => None,
-        });
+        let value = number_of(arguments);
         self.file.feed = value.map(|value| value * factor[0] / factor[1]).or(self.file.feed);
     }
 
@@ -171,6 +186,7 @@ impl State<'_> {
         self.file.spindle_is_told = true;
         let has = |key: Key| arguments.contains(&Argument::Word(key));
         self.file.turning = !(has(OFF) || has(ORIENT));
+        self.file.way = [CLW, CCLW].into_iter().find(|way| has(*way)).or(self.file.way);
         let by_surface = has(SFM) || has(SMM);
         // The value behind MAXRPM and RANGE is another's.
         let mut own = true;
@@ -201,4 +217,12 @@ impl State<'_> {
             self.note(Event::CycleWithoutDepth, index, None);
         }
     }
+}
+
+/// The first number.
+fn number_of(arguments: &[Argument]) -> Option<f64> {
+    arguments.iter().find_map(|argument| match argument {
+        Argument::Number(value) => Some(*value),
+        _ => None,
+    })
 }

@@ -13,6 +13,12 @@ pub(crate) struct Execution {
     pub spans: Spans,
     pub events: Vec<Noted>,
     pub unit: Unit,
+    /// The element with which the end point of each span begins.
+    pub ends: Vec<u32>,
+    /// The records that are kept and not made anything of, in order; a few of them twice.
+    pub kept: Vec<u32>,
+    /// What a file has said before some of its records, so that what holds at any record is soon found.
+    pub(super) marks: Vec<(usize, File)>,
 }
 
 /// What a feed is said per.
@@ -46,6 +52,13 @@ pub(super) struct File {
     pub per: Per,
     pub speed: Option<f64>,
     pub turning: bool,
+    /// The word of the way that the spindle turns.
+    pub way: Option<Key>,
+    /// The number of the tool, and the word of the coolant.
+    pub tool: Option<f64>,
+    pub coolant: Option<Key>,
+    /// Of the last position, where positions have one.
+    pub tool_axis: Option<[f64; 3]>,
     pub cycle: bool,
     pub cutter: Option<f64>,
     /// What is stated of INTOL and OUTTOL.
@@ -78,6 +91,10 @@ impl Default for File {
             per: Per::Minute,
             speed: None,
             turning: false,
+            way: None,
+            tool: None,
+            coolant: None,
+            tool_axis: None,
             cycle: false,
             cutter: None,
             tolerance: 0.0,
@@ -104,7 +121,13 @@ pub(super) struct State<'a> {
     pub file: File,
     /// What is not interpreted, and was said already.
     pub told: Vec<Uninterpreted>,
+    pub ends: Vec<u32>,
+    pub kept: Vec<u32>,
 }
+
+/// So many records lie between two marks: what holds at a record is found by carrying out as many at most, which takes
+/// some microseconds, and marks take a hundredth of the room of the records.
+const BETWEEN_MARKS: usize = 256;
 
 /// Millimetres of the units by their codes under 9000,9 (APT4 SSV3): millimetre, centimetre, inch, foot.
 pub(super) fn millimetres(code: i64) -> Option<f64> {
@@ -119,15 +142,8 @@ pub(super) fn millimetres(code: i64) -> Option<f64> {
 
 /// Carries out all files of a text.
 pub(crate) fn execute(tables: &Tables, dialect: Option<Dialect>) -> Execution {
-    let mut state = State {
-        tables,
-        dialect,
-        spans: Spans::new(3, false),
-        events: Vec::new(),
-        unit: Unit::Millimetre,
-        file: File::default(),
-        told: Vec::new(),
-    };
+    let mut state = State::new(tables, dialect);
+    let mut marks = Vec::new();
     let first_unit = tables.records.iter().enumerate().find_map(|(index, _)| state.unit_code(index));
     let is_inch = matches!(first_unit, Some(3 | 4));
     state.unit = if is_inch { Unit::Inch } else { Unit::Millimetre };
@@ -136,13 +152,46 @@ pub(crate) fn execute(tables: &Tables, dialect: Option<Dialect>) -> Execution {
         let code = records.clone().find_map(|index| state.unit_code(index));
         state.file = File { scale: state.scale_of(code.unwrap_or(if is_inch { 3 } else { 1 })), ..File::default() };
         for index in records.clone() {
+            if (index - records.start) % BETWEEN_MARKS == 0 {
+                marks.push((index, state.file.clone()));
+            }
             let record = tables.records[index];
             state.check_shape(index, &record);
             state.step(index, &record);
         }
         state.end_file(records.end - 1);
     }
-    Execution { spans: state.spans, events: state.events, unit: state.unit }
+    let State { spans, events, unit, ends, kept, .. } = state;
+    Execution { spans, events, unit, ends, kept, marks }
+}
+
+impl Execution {
+    /// What a file has said when a record has been carried out.
+    pub(super) fn behind(&self, record: usize, tables: &Tables, dialect: Option<Dialect>) -> Option<File> {
+        let mark = self.marks.partition_point(|mark| mark.0 <= record).checked_sub(1)?;
+        let (from, file) = &self.marks[mark];
+        let mut state = State { unit: self.unit, file: file.clone(), ..State::new(tables, dialect) };
+        for (index, record) in tables.records.iter().enumerate().take(record + 1).skip(*from) {
+            state.step(index, record);
+        }
+        Some(state.file)
+    }
+}
+
+impl<'a> State<'a> {
+    fn new(tables: &'a Tables, dialect: Option<Dialect>) -> State<'a> {
+        State {
+            tables,
+            dialect,
+            spans: Spans::new(3, false),
+            events: Vec::new(),
+            unit: Unit::Millimetre,
+            file: File::default(),
+            told: Vec::new(),
+            ends: Vec::new(),
+            kept: Vec::new(),
+        }
+    }
 }
 
 impl State<'_> {
@@ -151,6 +200,7 @@ impl State<'_> {
     }
 
     pub(super) fn not_interpreted(&mut self, what: Uninterpreted, record: usize, element: Option<usize>) {
+        self.kept.push(record as u32);
         if !self.told.contains(&what) {
             self.told.push(what);
             self.note(Event::NotInterpreted(what), record, element);

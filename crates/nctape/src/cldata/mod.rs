@@ -21,11 +21,14 @@ mod command;
 mod element;
 pub(crate) mod event;
 pub(crate) mod execution;
+mod held;
+mod links;
 mod literal;
 mod motion;
 mod number;
 mod reader;
 pub(crate) mod record;
+mod says;
 mod scan;
 mod shape;
 mod stream;
@@ -33,6 +36,7 @@ mod word_table;
 mod words;
 
 pub use element::{Element, ElementKind};
+pub use held::{Held, Register};
 pub use record::{Record, type_name};
 pub use words::{Coded, Dialect, Key, Part, decode, nearest};
 
@@ -65,6 +69,7 @@ pub struct Cldata {
     /// The filled columns, where the text is read so, with their places.
     stream: Stream<'static>,
     columns: Option<usize>,
+    dialect: Option<Dialect>,
     tables: Tables,
     execution: Execution,
     diagnostics: Vec<Diagnostic>,
@@ -105,7 +110,7 @@ impl Cldata {
             None => Stream::default(),
             Some(_) => std::mem::take(&mut stream).into_owned(),
         };
-        Cldata { text, stream, columns, tables, execution, diagnostics }
+        Cldata { text, stream, columns, dialect: options.dialect, tables, execution, diagnostics }
     }
 
     /// The text.

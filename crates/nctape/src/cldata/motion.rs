@@ -17,6 +17,10 @@ pub(super) struct Point {
     pub at: [f64; 3],
     pub record: usize,
     pub sound: bool,
+    /// Its tool axis, where it has one.
+    pub axis: Option<[f64; 3]>,
+    /// Its first coordinate in the table of all elements.
+    pub element: usize,
 }
 
 impl State<'_> {
@@ -27,6 +31,7 @@ impl State<'_> {
                 let points = self.points(index, index, false);
                 if let Some(last) = points.last() {
                     self.file.position = Some(last.at);
+                    self.file.tool_axis = last.axis;
                 }
             }
             Some(4) => {
@@ -101,7 +106,13 @@ impl State<'_> {
                     }
                 }
                 at = next;
-                points.push(Point { at, record: index, sound });
+                let axis = match point {
+                    [.., i, j, k] if point.len() == 6 => i.value().zip(j.value()).zip(k.value()),
+                    _ => None,
+                };
+                let axis = axis.map(|((i, j), k)| [i, j, k]);
+                let element = record.first as usize + 5 + place * size;
+                points.push(Point { at, record: index, sound, axis, element });
             }
         }
         points
@@ -110,6 +121,7 @@ impl State<'_> {
     /// Moves through points, along the circle that waits for them where one does.
     fn travel(&mut self, first: usize, last: usize, points: &[Point]) {
         let Some(end) = points.last().copied() else { return };
+        self.file.tool_axis = end.axis;
         if self.file.ended {
             self.note(Event::BehindEnd, first, None);
             self.file.ended = false;
@@ -138,6 +150,7 @@ impl State<'_> {
                     let length = libm::hypot(arc.length_in_plane(), end.at[third] - start[third]);
                     let kind = if rapid { SpanKind::Rapid } else { SpanKind::Arc };
                     self.push(kind, (circle.record, last), Geometry::Arc(arc), start, end.at, length, !end.sound);
+                    self.ends.push(end.element as u32);
                 }
                 Course::Arc(_) => {}
                 Course::Chords { substitute } => {
@@ -166,6 +179,7 @@ impl State<'_> {
         }
         let kind = if rapid { SpanKind::Rapid } else { SpanKind::Line };
         self.push(kind, (to.record, to.record), Geometry::Line, from, to.at, length, !to.sound);
+        self.ends.push(to.element as u32);
     }
 
     #[expect(clippy::too_many_arguments, reason = "it is all that a span is")]

@@ -2,7 +2,9 @@
 
 use super::prelude::*;
 use super::{number, tape};
+use crate::cldata::apt::translate;
 use crate::convert::from_decimal;
+use crate::diagnostic::Language;
 use crate::format::DIMENSION_LETTERS;
 use std::ops::Range;
 
@@ -57,17 +59,38 @@ fn todays_code(tape: &TapeView<'_>, sink: &mut Sink<'_>) -> bool {
 const LINES_ENOUGH: usize = 200;
 
 /// CLDATA or APT: most lines are statements of it.
+pub(crate) fn is_source(text: &str) -> bool {
+    let (statements, lines) = count(statements(text).take(LINES_ENOUGH));
+    statements >= 2 && 2 * statements > lines
+}
+
 fn source(tape: &TapeView<'_>, sink: &mut Sink<'_>) -> bool {
-    let (statements, lines) = count(statements(tape.text).take(LINES_ENOUGH));
-    if statements < 2 || 2 * statements <= lines {
+    if !is_source(tape.text) {
         return false;
     }
-    let Some((from, statement)) = self::statements(tape.text).find(|line| is_statement(line.1)) else { return false };
-    let (count, _) = count(self::statements(tape.text));
+    let Some((from, statement)) = statements(tape.text).find(|line| is_statement(line.1)) else { return false };
+    let (count, _) = count(statements(tape.text));
     let message = "The text is APT source or CLDATA, which is written before it is known what control will run it. A \
                    postprocessor makes a tape of it. Nothing else is checked.";
-    sink.report(&tape::foreign_character::RULE, from..from + statement.len(), message.to_owned()).count(count);
+    let fix = match apt(tape.text) {
+        Some(_) => in_records(tape.text, "Turn it into CLDATA and open that"),
+        None => Some(Fix::open_as(Language::Cldata, "Open it as CLDATA", None)),
+    };
+    sink.report(&tape::foreign_character::RULE, from..from + statement.len(), message.to_owned())
+        .count(count)
+        .fixes(fix);
     true
+}
+
+/// Turns the CL text of a CAM system into records. Not offered where most statements have none, as in a part program
+/// that only a processor understands.
+pub(crate) fn in_records(text: &str, title: &str) -> Option<Fix> {
+    if text.len() > MOST_CONVERTED {
+        return None;
+    }
+    let found = translate(text);
+    (2 * found.faults.len() < found.map.len())
+        .then(|| Fix::open_as(Language::Cldata, title, Some((0..text.len(), found.text))))
 }
 
 fn count<'a>(lines: impl Iterator<Item = (usize, &'a str)>) -> (usize, usize) {

@@ -26,6 +26,7 @@ mod view;
 pub(crate) mod word;
 
 pub(crate) use cldata::{CldataView, check_cldata, source_of_apt};
+pub(crate) use foreign_text::is_source;
 pub(crate) use prelude::{digits, is_declared_letter};
 pub use rule::{Clause, Rule, Verdict, Verdicts};
 pub(crate) use view::TapeView;

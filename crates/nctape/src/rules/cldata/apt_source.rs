@@ -1,6 +1,7 @@
 //! CLD-01: the statement is of a part program, not of CLDATA.
 
 use super::prelude::*;
+use crate::rules::foreign_text::in_records;
 use std::ops::Range;
 
 /// The rule.
@@ -13,11 +14,11 @@ pub static RULE: Rule = Rule {
 };
 
 /// Says that a text is the source of a part program and nothing else.
-pub(crate) fn check_text(found: (Range<usize>, usize), sink: &mut Sink<'_>) {
+pub(crate) fn check_text(text: &str, found: (Range<usize>, usize), sink: &mut Sink<'_>) {
     let message = "The text is APT source, which a processor reads and turns into CLDATA: a statement is WORD/ and its \
                    parameters. In CLDATA this would be a record, as 2,20000,0,FEDRAT,10.,PERMIN; and the text is to be \
                    run through the processor first. Nothing else is checked.";
-    sink.report(&RULE, found.0, message.to_owned()).count(found.1);
+    sink.report(&RULE, found.0, message.to_owned()).count(found.1).fixes(in_records(text, "Turn it into records"));
 }
 
 pub(crate) fn check(found: &Slipped, _view: &CldataView<'_>, sink: &mut Sink<'_>) {

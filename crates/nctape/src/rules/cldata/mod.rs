@@ -64,7 +64,7 @@ pub(crate) fn check_cldata(view: &CldataView<'_>, apt: Option<(Range<usize>, usi
     let mut found = Vec::new();
     let mut sink = Sink::cldata(&mut found);
     match apt {
-        Some(apt) => apt_source::check_text(apt, &mut sink),
+        Some(apt) => apt_source::check_text(view.text, apt, &mut sink),
         None => check(view, &mut sink),
     }
     found.sort_by_key(|diagnostic| (diagnostic.range.start, diagnostic.range.end));

@@ -40,6 +40,7 @@ pub(crate) fn check(event: &Event, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
             title: "Reverse the signs of I, J and K in this block".to_owned(),
             edits,
             format: None,
+            language: None,
         }),
         None => reported,
     };
