@@ -70,6 +70,9 @@ const PIECES: &[&str] = &[
     "G04 X+000150\n",
     "G33 X+001000 I+000200\n",
     "G95 F0002",
+    "M03",
+    "M05",
+    "M41",
 ];
 
 /// An edit of a text in UTF-16 code units: from, to, insert. It may fall between the halves of a surrogate pair.

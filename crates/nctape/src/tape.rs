@@ -69,7 +69,7 @@ impl Tape {
         let change = Change { at: from, removed: to - from, inserted: insert.len() };
         let reread = self.reading.edit(&self.text, &self.control, change);
         self.execution.edit(&self.reading, &self.control, self.skip, &reread);
-        self.other = match self.other.take().filter(|_| self.skips()) {
+        self.other = match self.other.take().filter(|_| self.reading.survey().skips) {
             None => self.execute_other(),
             Some(mut other) => {
                 other.edit(&self.reading, &self.control, !self.skip, &reread);
@@ -102,12 +102,7 @@ impl Tape {
     }
 
     fn execute_other(&self) -> Option<Execution> {
-        self.skips().then(|| execute(&self.reading, &self.control, !self.skip))
-    }
-
-    /// A block can be skipped.
-    fn skips(&self) -> bool {
-        self.reading.blocks.iter().any(|block| block.skip)
+        self.reading.survey().skips.then(|| execute(&self.reading, &self.control, !self.skip))
     }
 
     /// Checks the tape as a whole.
@@ -129,9 +124,8 @@ impl Tape {
             control: &self.control,
             reading: &self.reading,
             execution: &self.execution,
-            skip: self.skip,
             other: self.other.as_ref(),
-            seen: self.reading.traits(),
+            seen: self.reading.survey().traits,
         }
     }
 

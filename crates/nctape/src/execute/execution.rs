@@ -6,12 +6,13 @@
 
 use super::event::{Event, EventKind};
 use super::mark::{Carried, Lengths, Mark};
+use super::section::{Section, Starved};
 use super::state::State;
 use super::totals::{Bounds, Totals};
 use super::walk::{Fate, Walk};
 use super::{Held, run_block};
 use crate::format::Control;
-use crate::read::{Reading, Reread};
+use crate::read::{Reading, Reread, Traits};
 use crate::span::Spans;
 
 /// Blocks between two marks: an edit costs about as many to execute, and a mark weighs some 300 bytes.
@@ -34,6 +35,10 @@ pub struct Execution {
     pub(crate) ends: Vec<(usize, bool)>,
     /// What the control holds behind executed blocks that cannot be skipped, beside those that can.
     pub(crate) held: Vec<(usize, Held)>,
+    /// The executed blocks that have a miscellaneous function.
+    pub(crate) miscellaneous: Vec<usize>,
+    /// The spans that are cut faster than they are read.
+    pub(crate) starved: Starved,
     marks: Vec<Mark>,
     last_executed: usize,
     last_kept: Kept,
@@ -76,13 +81,14 @@ impl Execution {
         let met_mark = met.map(|met| self.marks[met]);
         let end = met_mark.map_or(self.lengths(), |mark| mark.lengths);
         let added = run.lengths();
-        let Run { state, unreached, ends, held, mut marks, .. } = run;
+        let Run { state, unreached, ends, held, miscellaneous, mut marks, .. } = run;
         self.spans.splice(base.spans..end.spans, state.spans);
         self.last_kept = Kept { first: base.spans, last: spans_before - end.spans };
         self.events.splice(base.events..end.events, state.events);
         self.unreached.splice(base.unreached..end.unreached, unreached);
         self.ends.splice(base.ends..end.ends, ends);
         self.held.splice(base.held..end.held, held);
+        self.miscellaneous.splice(base.miscellaneous..end.miscellaneous, miscellaneous);
         for mark in &mut marks {
             mark.lengths = mark.lengths.plus(base);
         }
@@ -102,22 +108,28 @@ impl Execution {
         if shift != 0 {
             self.move_blocks(moved, shift);
         }
-        self.measure(kept, added_marks);
+        self.measure(kept, added_marks, moved.spans.wrapping_sub(end.spans), reading, control);
         self.totals = Totals::of(self.spans.shares());
         let left_out = self.events.iter().any(|event| matches!(event.kind, EventKind::LeftOut));
         self.totals.seconds = self.totals.seconds.filter(|_| !left_out);
     }
 
-    /// The room of the path: anew for the marks that were set and the one behind them, as kept for the others.
-    fn measure(&mut self, first: usize, count: usize) {
+    /// What is known of the spans between the marks: anew for the marks that were set and the one behind them, as kept
+    /// for the others, the spans of which have moved by `shift`.
+    fn measure(&mut self, first: usize, count: usize, shift: usize, reading: &Reading, control: &Control) {
+        let reader_speed = control.format.reader_speed();
+        let spans = &self.spans.list;
+        let section = |from: usize, to: usize| Section::of(&spans[from..to], from, &reading.blocks, reader_speed);
         let mut from = first.checked_sub(1).map_or(0, |before| self.marks[before].lengths.spans);
-        for mark in self.marks.iter_mut().skip(first).take(count + 1) {
-            mark.bounds = Bounds::of(&self.spans.list[from..mark.lengths.spans]);
-            from = mark.lengths.spans;
+        for (place, mark) in self.marks.iter_mut().enumerate().skip(first) {
+            let to = mark.lengths.spans;
+            mark.section = if place <= first + count { section(from, to) } else { mark.section.moved(shift) };
+            from = to;
         }
-        let from = self.marks.last().map_or(0, |last| last.lengths.spans);
-        let rest = Bounds::of(&self.spans.list[from..]);
-        self.bounds = self.marks.iter().map(|mark| mark.bounds).chain([rest]).flatten().reduce(Bounds::with);
+        let rest = section(from, spans.len());
+        let whole = self.marks.iter().map(|mark| mark.section).chain([rest]).reduce(Section::with);
+        let Section { bounds, starved } = whole.unwrap_or_default();
+        (self.bounds, self.starved) = (bounds, starved);
     }
 
     /// Gives the blocks of what follows the lengths their new numbers.
@@ -129,6 +141,7 @@ impl Execution {
         self.unreached[from.unreached..].iter_mut().for_each(|block| *block = block.wrapping_add(shift));
         self.ends[from.ends..].iter_mut().for_each(|end| end.0 = end.0.wrapping_add(shift));
         self.held[from.held..].iter_mut().for_each(|held| held.0 = held.0.wrapping_add(shift));
+        self.miscellaneous[from.miscellaneous..].iter_mut().for_each(|block| *block = block.wrapping_add(shift));
     }
 
     fn lengths(&self) -> Lengths {
@@ -138,6 +151,7 @@ impl Execution {
             unreached: self.unreached.len(),
             ends: self.ends.len(),
             held: self.held.len(),
+            miscellaneous: self.miscellaneous.len(),
         }
     }
 
@@ -174,6 +188,7 @@ impl Lengths {
             unreached: combine(self.unreached, other.unreached),
             ends: combine(self.ends, other.ends),
             held: combine(self.held, other.held),
+            miscellaneous: combine(self.miscellaneous, other.miscellaneous),
         }
     }
 }
@@ -188,6 +203,7 @@ struct Run<'a> {
     unreached: Vec<usize>,
     ends: Vec<(usize, bool)>,
     held: Vec<(usize, Held)>,
+    miscellaneous: Vec<usize>,
     marks: Vec<Mark>,
     /// Where the last mark stands.
     last_mark: usize,
@@ -210,6 +226,7 @@ impl<'a> Run<'a> {
             unreached: Vec::new(),
             ends: Vec::new(),
             held: Vec::new(),
+            miscellaneous: Vec::new(),
             marks: Vec::new(),
             last_mark: index,
         }
@@ -234,7 +251,8 @@ impl<'a> Run<'a> {
             // None right before one that may stand: many edits would leave many of them.
             let apart = near.is_none_or(|near| near == self.index || near - self.index > BETWEEN_MARKS / 2);
             if self.index >= self.last_mark + BETWEEN_MARKS && apart {
-                let mark = Mark { block: self.index, carried: self.carried(), lengths: self.lengths(), bounds: None };
+                let section = Section::default();
+                let mark = Mark { block: self.index, carried: self.carried(), lengths: self.lengths(), section };
                 self.marks.push(mark);
                 self.last_mark = self.index;
             }
@@ -261,6 +279,9 @@ impl<'a> Run<'a> {
         match fate {
             Fate::Executed => {
                 run_block(&mut self.state, index, block, words);
+                if block.traits.any(Traits::address(b'M')) {
+                    self.miscellaneous.push(index);
+                }
                 self.hold();
             }
             Fate::Skipped => {}
@@ -289,6 +310,7 @@ impl<'a> Run<'a> {
             unreached: self.unreached.len(),
             ends: self.ends.len(),
             held: self.held.len(),
+            miscellaneous: self.miscellaneous.len(),
         }
     }
 }

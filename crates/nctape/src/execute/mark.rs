@@ -3,8 +3,8 @@
 use super::compensation::Compensation;
 use super::feed::Feed;
 use super::position::Position;
+use super::section::Section;
 use super::state::{Motion, Pending};
-use super::totals::Bounds;
 use crate::format::{FeedCoding, FeedUnit, Plane};
 
 /// What passes from one block to the next.
@@ -37,8 +37,8 @@ pub(super) struct Mark {
     pub block: usize,
     pub carried: Carried,
     pub lengths: Lengths,
-    /// The room of the path from the mark before it to this one.
-    pub bounds: Option<Bounds>,
+    /// The spans from the mark before it to this one.
+    pub section: Section,
 }
 
 /// How long the tables of execution are.
@@ -49,4 +49,5 @@ pub(super) struct Lengths {
     pub unreached: usize,
     pub ends: usize,
     pub held: usize,
+    pub miscellaneous: usize,
 }

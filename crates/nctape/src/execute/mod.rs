@@ -21,6 +21,7 @@ pub(crate) mod parabola;
 mod parabola_block;
 mod position;
 mod registers;
+mod section;
 mod state;
 mod thread;
 mod timetable;
@@ -40,7 +41,7 @@ pub use timetable::{BlockTimes, TapeTime, ZeroRows};
 pub(crate) use totals::Share;
 pub use totals::{Bounds, Totals};
 pub use walk::Fate;
-pub(crate) use walk::{Walk, ends_program};
+pub(crate) use walk::ends_program;
 
 use crate::function::Group;
 use crate::read::{Block, Traits, Word};

@@ -7,6 +7,7 @@
 use super::block::Block;
 use super::reader::{Found, Pieces, Place, Reader};
 use super::reading::Reading;
+use super::survey::Survey;
 use crate::format::Control;
 use std::ops::Range;
 
@@ -169,6 +170,7 @@ impl Reading {
         self.swallowed = swallowed;
         self.replace(pieces, first_head, first_block, at, &tail, change, text.len());
         self.compact();
+        self.survey = Survey::of(&self.blocks);
         reread
     }
 
@@ -208,6 +210,9 @@ impl Reading {
     }
 
     fn move_tail(&mut self, tail: &Tail, change: Change, rows: usize, programs: u32, blocks: usize) {
+        if change.inserted == change.removed && rows == 0 && programs == 0 && blocks == 0 {
+            return;
+        }
         for block in &mut self.blocks[tail.block..] {
             change.shift(&mut block.range);
             block.row = block.row.wrapping_add(rows);

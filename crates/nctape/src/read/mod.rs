@@ -11,6 +11,7 @@ pub(crate) mod number;
 mod reader;
 mod reading;
 mod scanner;
+mod survey;
 mod word;
 
 pub use block::Block;

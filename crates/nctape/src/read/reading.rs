@@ -1,9 +1,10 @@
 //! What was read of a whole text, as flat tables.
 
-use super::block::{Block, Traits};
+use super::block::Block;
 use super::edit::Swallowed;
 use super::head::{Head, ProgramMark};
 use super::reader::{Found, Reader};
+use super::survey::Survey;
 use super::word::Word;
 use crate::code::{Code, EndOfBlock, Rows, encode_from};
 use crate::format::Control;
@@ -24,6 +25,7 @@ pub struct Reading {
     pub(super) rows: usize,
     pub(super) open_comment: bool,
     pub(super) last_read: usize,
+    pub(super) survey: Survey,
 }
 
 /// Reads a text against a control.
@@ -39,6 +41,7 @@ pub fn read(text: &str, control: &Control) -> Reading {
     let Reader { pieces, row, open_comment, .. } = reader;
     Reading {
         last_read: pieces.blocks.len(),
+        survey: Survey::of(&pieces.blocks),
         blocks: pieces.blocks,
         heads: pieces.heads,
         found: pieces.found,
@@ -127,9 +130,9 @@ impl Reading {
         self.open_comment
     }
 
-    /// What is in any block.
-    pub(crate) fn traits(&self) -> Traits {
-        self.blocks.iter().fold(Traits::default(), |traits, block| traits.with(block.traits))
+    /// What one pass over all blocks tells.
+    pub(crate) fn survey(&self) -> Survey {
+        self.survey
     }
 
     /// How many blocks the last edit, or the first reading, has read.

@@ -11,8 +11,6 @@ pub(crate) struct TapeView<'a> {
     pub control: &'a Control,
     pub reading: &'a Reading,
     pub execution: &'a Execution,
-    /// The optional block skip switch is on.
-    pub skip: bool,
     /// The tape executed with the optional block skip switch the other way; only where a block can be skipped.
     pub other: Option<&'a Execution>,
     /// What is in any block: a rule that looks for something else has nothing to do.

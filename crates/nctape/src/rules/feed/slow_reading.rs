@@ -17,18 +17,15 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
     let format = &tape.control.format;
     let reader_speed = format.reader_speed();
     let blocks = &tape.reading.blocks;
-    let mut found = tape.execution.spans.list.iter().filter_map(|span| {
-        let (cut, read) = cut_and_read(span, blocks, reader_speed)?;
-        (read > cut).then_some((span, cut, read))
-    });
-    let Some((span, cut, read)) = found.next() else { return };
+    let starved = tape.execution.starved;
+    let span = starved.first.map(|first| &tape.execution.spans.list[first]);
+    let Some((span, (cut, read))) = span.and_then(|span| Some((span, cut_and_read(span, blocks, reader_speed)?)))
+    else {
+        return;
+    };
     let range = span.blocks.0..=span.blocks.1;
     let rows: usize = blocks.get(range.clone()).map_or(0, |blocks| blocks.iter().map(|block| block.rows).sum());
-    let (mut count, mut wait) = (1, read - cut);
-    for (_, cut, read) in found {
-        count += 1;
-        wait += read - cut;
-    }
+    let (count, wait) = (starved.count, starved.wait());
     let what = if span.blocks.0 == span.blocks.1 { "The block has" } else { "The blocks of this span have" };
     let pace = if format.itemized.reader_speed.is_some() { "" } else { ", which is assumed" };
     let mut message = format!(

@@ -1,6 +1,6 @@
 //! FUN-07: a function acts at another moment than its block suggests.
 
-use crate::execute::{Fate, Walk};
+use crate::execute::ends_program;
 use crate::function::{Miscellaneous, Start, miscellaneous};
 use crate::rules::prelude::*;
 use crate::span::SpanKind;
@@ -17,21 +17,11 @@ pub static RULE: Rule = Rule {
 /// Said once for each function, and only where the moment matters: where the block cuts with what is to be switched
 /// off, or moves at all under a function whose moment nothing states. Anything more would be a note on most tapes.
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    if !tape.seen.any(Traits::address(b'M')) {
-        return;
-    }
     let (mut turns, mut flows) = (false, false);
     let mut said: Vec<(u8, usize, usize, usize)> = Vec::new();
-    let mut walk = Walk::new(tape.skip);
-    for (index, block) in tape.reading.blocks.iter().enumerate() {
-        let (fate, restarts) = walk.meet(block, tape.reading.words(block));
-        if restarts {
-            (turns, flows) = (false, false);
-        }
-        if fate != Fate::Executed || !block.traits.any(Traits::address(b'M')) {
-            continue;
-        }
-        for (place, word) in tape.reading.words(block).iter().enumerate() {
+    for &index in &tape.execution.miscellaneous {
+        let words = tape.reading.words(&tape.reading.blocks[index]);
+        for (place, word) in words.iter().enumerate() {
             let Some(code) = word.function(b'M').filter(|_| word.digits == 2) else { continue };
             let matters = match code {
                 5 | 19 => turns && cuts(tape, index),
@@ -50,9 +40,13 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
                 13 | 14 => (turns, flows) = (true, true),
                 5 | 19 => turns = false,
                 9 => flows = false,
-                0 | 2 | 30 => (turns, flows) = (false, false),
+                0 => (turns, flows) = (false, false),
                 _ => {}
             }
+        }
+        // Nothing is left to the next program.
+        if ends_program(words) {
+            (turns, flows) = (false, false);
         }
     }
     for (code, block, place, count) in said {

@@ -12,6 +12,9 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
+    if tape.reading.survey().rises {
+        return;
+    }
     let mut before: Option<(u32, i64)> = None;
     let mut found = tape.sequence_numbers().filter(|&(block, number)| {
         let program = tape.reading.blocks[block].program;

@@ -12,13 +12,12 @@ pub static RULE: Rule = Rule {
 };
 
 pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
-    let program = |block: usize| tape.reading.blocks[block].program;
-    let numbers = || tape.sequence_numbers().map(|(block, number)| ((program(block), number), block));
-    // Numbers that rise, as they do on most tapes, have no twin.
-    if numbers().is_sorted_by(|one, next| one.0 < next.0) {
+    if tape.reading.survey().rises {
         return;
     }
-    let mut numbers: Vec<((u32, i64), usize)> = numbers().collect();
+    let program = |block: usize| tape.reading.blocks[block].program;
+    let numbers = tape.sequence_numbers().map(|(block, number)| ((program(block), number), block));
+    let mut numbers: Vec<((u32, i64), usize)> = numbers.collect();
     numbers.sort_by_key(|it| it.0);
     let twins = numbers.chunk_by(|one, next| one.0 == next.0).filter(|twins| twins.len() > 1);
     let (count, repeated) = twins.fold((0, None::<(usize, usize)>), |(count, repeated), twins| {

@@ -64,10 +64,9 @@ impl FeedWords<'_> {
 pub(crate) fn feed_words<'a>(tape: &TapeView<'a>) -> impl Iterator<Item = FeedWords<'a>> {
     let reading = tape.reading;
     let mut contouring = false;
-    let functions = Traits::address(b'G');
-    let concerns =
-        if tape.seen.any(Traits::FEED_PLACES) { functions.with(Traits::FEED_PLACES) } else { Traits::default() };
-    let blocks = reading.blocks.iter().filter(move |block| block.traits.any(concerns));
+    let concerns = Traits::address(b'G').with(Traits::FEED_PLACES);
+    let blocks = if tape.seen.any(Traits::FEED_PLACES) { reading.blocks.as_slice() } else { &[] };
+    let blocks = blocks.iter().filter(move |block| block.traits.any(concerns));
     blocks.filter_map(move |block| {
         let words = reading.words(block);
         for code in words.iter().filter_map(|word| word.function(b'G')) {
