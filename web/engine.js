@@ -9,6 +9,7 @@ import { timed } from './timing.js';
 /** @typedef {import('./worker.js').Facts} Facts */
 /** @typedef {import('./worker.js').Questions} Questions */
 /** @typedef {import('./worker.js').Change} Change */
+/** @typedef {[name: keyof Questions, ...args: (string | number)[]]} Foreseen  a question and its arguments */
 /** @typedef {{ source: string, format: import('nctape').Format, skip: boolean, offset: number }} Current */
 
 /**
@@ -49,6 +50,10 @@ export class Engine {
     this.pending = new Map();
     /** What goes to the worker in one message: the views ask in the same moment, and are answered in the same one. */
     this.outbox = /** @type {Pending['request'][]} */ ([]);
+    /** What the views will ask of a changed tape. @type {(() => Foreseen[])[]} */
+    this.seers = [];
+    /** The answers that come with the newest change, by question. @type {Map<string, Promise<any>>} */
+    this.foreseen = new Map();
     this.lastId = 0;
     /** How many changes have been made. */
     this.edit = 0;
@@ -101,7 +106,19 @@ export class Engine {
    */
   ask(name, ...args) {
     if (this.down || !this.opened || this.waiting !== null) return Promise.resolve(undefined);
-    return this.send('tape', name, args);
+    const question = JSON.stringify([name, ...args]);
+    const answer = this.foreseen.get(question);
+    this.foreseen.delete(question);
+    return answer ?? this.send('tape', name, args);
+  }
+
+  /**
+   * What a view will ask of the changed tape is asked with the change: the answers come with it, and all views show them
+   * in one frame. A question that was not foreseen takes its own way.
+   * @param {() => Foreseen[]} seer
+   */
+  foresee(seer) {
+    this.seers.push(seer);
   }
 
   /** Sends the tape as it is now, in place of all that was sent before. */
@@ -155,8 +172,13 @@ export class Engine {
   async sendChange(name, ...args) {
     this.busy = true;
     const { worker } = this;
+    const answer = this.send('change', name, args);
+    this.foreseen.clear();
+    for (const [question, ...asked] of this.seers.flatMap((seer) => seer())) {
+      this.foreseen.set(JSON.stringify([question, ...asked]), this.send('tape', question, asked));
+    }
     /** @type {Change | undefined} */
-    const change = await this.send('change', name, args);
+    const change = await answer;
     if (worker !== this.worker) return;
     this.busy = false;
     if (this.waiting !== null) this.sendWaiting();
@@ -212,6 +234,7 @@ export class Engine {
     this.down = this.traps > 1;
     this.worker.terminate();
     this.outbox.length = 0;
+    this.foreseen.clear();
     const unanswered = [...this.pending.values()];
     this.pending.clear();
     this.worker = this.start();

@@ -76,7 +76,7 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
   let replaced = true;
   /** It was replaced by a paste or a file, which leave the cursor where nothing is to be seen. */
   let toSight = false;
-  const { view: editor, refreshMarks } = makeEditor({
+  const { view: editor, refreshMarks, marksWanted } = makeEditor({
     host: byId('editor', HTMLElement),
     format: first.format,
     kinds,
@@ -150,6 +150,7 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
     editor.focus();
   });
 
+  engine.foresee(() => [['listing', ...marksWanted()]]);
   store.on(['summary'], () => void refreshMarks());
   store.on(['here', 'chosen'], ({ here, chosen }) => light(editor, { block: here?.block ?? null, chosen }));
 

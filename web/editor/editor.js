@@ -75,7 +75,7 @@ export function makeEditor({ host, format, kinds, ask, card, goToProblem, leave,
       ],
     }),
   });
-  return { view, refreshMarks: () => marks.refresh(view) };
+  return { view, refreshMarks: () => marks.refresh(view), marksWanted: () => marks.wanted(view) };
 }
 
 /** @param {EditorView} view */

@@ -1,5 +1,5 @@
 // What is lit in the text: the block that the cursor is on, and the range of the chosen problem.
-import { StateEffect, StateField } from '@codemirror/state';
+import { RangeSet, StateEffect, StateField } from '@codemirror/state';
 import { Decoration, EditorView } from '@codemirror/view';
 
 /** @typedef {{ from: number, to: number }} Range */
@@ -45,7 +45,11 @@ function decorate({ block, chosen }, doc) {
 }
 
 /**
+ * Lights what is not lit yet: the next row is mostly one of the same block.
  * @param {EditorView} view
  * @param {Lit} lit
  */
-export const light = (view, lit) => view.dispatch({ effects: setLit.of(lit) });
+export function light(view, lit) {
+  const shown = view.state.field(litField);
+  if (!RangeSet.eq([shown], [decorate(lit, view.state.doc)])) view.dispatch({ effects: setLit.of(lit) });
+}

@@ -87,6 +87,12 @@ export function liveMarks(ask, kinds) {
     extension: [marksField, plugin],
     /** @param {EditorView} view */
     refresh: (view) => view.plugin(plugin)?.refresh(),
+    /**
+     * What will be asked of the text as it stands.
+     * @param {EditorView} view
+     * @returns {[from: number, to: number]}
+     */
+    wanted: ({ viewport: { from, to } }) => [from, to],
   };
 }
 

@@ -99,9 +99,16 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     await fetchPath();
   }
 
-  async function fetchPath(scale = view.scale) {
+  /** @param {number} scale @returns {[tolerance: number, since: number]} */
+  function pathWanted(scale) {
     const asked = TOLERANCE / scale / 2;
-    const change = await engine.ask('pathChange', asked, asked === tolerance ? pathNumber : 0);
+    return [asked, asked === tolerance ? pathNumber : 0];
+  }
+  engine.foresee(() => (fitted ? [['pathChange', ...pathWanted(view.scale)]] : []));
+
+  async function fetchPath(scale = view.scale) {
+    const [asked, since] = pathWanted(scale);
+    const change = await engine.ask('pathChange', asked, since);
     if (change === undefined) return false;
     take(change);
     tolerance = asked;

@@ -8,7 +8,7 @@ import { Glyphs } from './glyphs.js';
 import { listenToHand } from './input.js';
 import { makeRowCard } from './row-card.js';
 import { SheetSource } from './sheet.js';
-import { Windows } from './windows.js';
+import { WINDOW, Windows } from './windows.js';
 
 /** @typedef {import('../store.js').Store} Store */
 /** @typedef {import('../engine.js').Engine} Engine */
@@ -16,6 +16,8 @@ import { Windows } from './windows.js';
 /** How long the tape takes to a place near by, in milliseconds; a far one is there at once. */
 const GLIDE = 180;
 const NEAR = 400;
+/** While the hand moves the tape, the other views follow once in so many milliseconds: the tape itself keeps up. */
+const FOLLOW = 60;
 
 /**
  * @param {object} parts
@@ -77,11 +79,17 @@ export function makeStrip({ store, engine, kinds, onRow }) {
     redraw();
   }
 
+  /** The first and the last row that are to be seen, and some beside them. @returns {[number, number]} */
+  function inSight() {
+    const half = canvas.width / ratio / pitch / 2 + 16;
+    return [Math.floor(position - half), Math.min(rows() - 1, Math.ceil(position + half))];
+  }
+  engine.foresee(() => [...windows.around(...inSight())].map((index) => ['strip', index * WINDOW, WINDOW]));
+
   function draw() {
     const { sheet } = sheets;
     if (sheet === null || meanings === null || store.state.summary === null) return;
-    const half = canvas.width / ratio / pitch / 2 + 16;
-    windows.want(Math.floor(position - half), Math.min(rows() - 1, Math.ceil(position + half)));
+    windows.want(...inSight());
     const block = store.state.here?.block ?? null;
     const picture = {
       sheet,
@@ -124,6 +132,26 @@ export function makeStrip({ store, engine, kinds, onRow }) {
     tellRow();
   }
 
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let following;
+  let followed = 0;
+  /** Tells where the tape is, while the hand moves it. */
+  function follow() {
+    if (following !== undefined) return;
+    const pause = Math.max(0, followed + FOLLOW - performance.now());
+    following = setTimeout(() => {
+      following = undefined;
+      followed = performance.now();
+      reach(position);
+    }, pause);
+  }
+  /** The hand has let go: where the tape is meant to be is told by whoever moves it there. */
+  function letGo() {
+    clearTimeout(following);
+    following = undefined;
+    held = false;
+  }
+
   let glide = 0;
   /** @param {number} row */
   function glideTo(row) {
@@ -155,15 +183,16 @@ export function makeStrip({ store, engine, kinds, onRow }) {
       cancelAnimationFrame(glide);
       held = true;
       position = inTape(row);
-      reach(position);
+      follow();
       redraw();
     },
     settle(row) {
-      held = false;
+      letGo();
+      reach(row);
       glideTo(inTape(Math.round(row)));
     },
     go(row) {
-      held = false;
+      letGo();
       glideTo(inTape(row));
       reach(row);
     },
@@ -202,6 +231,7 @@ export function makeStrip({ store, engine, kinds, onRow }) {
     windows.expire();
     wanted = null;
     position = inTape(position);
+    windows.want(...inSight());
     redraw();
     if (summary !== null && summary.code !== meaningsOf) {
       meaningsOf = summary.code;

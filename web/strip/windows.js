@@ -30,12 +30,21 @@ export class Windows {
   }
 
   /**
+   * The windows that hold these rows.
+   * @param {number} first
+   * @param {number} last
+   */
+  *around(first, last) {
+    for (let index = Math.floor(Math.max(0, first) / WINDOW); index * WINDOW <= last; index += 1) yield index;
+  }
+
+  /**
    * Makes sure that these rows are here or on their way.
    * @param {number} first
    * @param {number} last
    */
   want(first, last) {
-    for (let index = Math.floor(Math.max(0, first) / WINDOW); index * WINDOW <= last; index += 1) {
+    for (const index of this.around(first, last)) {
       const fresh = this.kept.has(index) && !this.stale.has(index);
       if (!fresh && this.asked.get(index) !== this.generation) void this.fetch(index);
     }
@@ -101,7 +110,7 @@ export class Windows {
    * @param {number} last
    */
   *names(first, last) {
-    for (let index = Math.floor(Math.max(0, first) / WINDOW); index * WINDOW <= last; index += 1) {
+    for (const index of this.around(first, last)) {
       for (const name of this.kept.get(index)?.names ?? []) {
         if (name.row <= last) yield name;
       }
