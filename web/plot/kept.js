@@ -1,7 +1,7 @@
 // The picture of the whole path, kept while the view stays: what has changed of it is drawn anew, and where the view
 // is moved it is moved along, so that only what comes in at the edges is drawn.
 import { drawPath, drawStart, isDense } from './draw.js';
-import { boxAround, seen } from './dirty.js';
+import { boxesAlong, seen } from './dirty.js';
 
 /** @typedef {import('nctape').Path} Path */
 /** @typedef {import('./view.js').Box} Box */
@@ -42,8 +42,7 @@ export class KeptPicture {
    * @param {number} to  behind the last point
    */
   touch(xyz, from, to) {
-    const box = boxAround(this.view, xyz, from, to);
-    if (box !== null) this.untrue?.push(box);
+    this.untrue?.push(...boxesAlong(this.view, xyz, from, to));
   }
 
   /**

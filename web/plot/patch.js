@@ -1,5 +1,6 @@
 // Brings a path up to date with what has changed of it.
 import { firstAtOrAfter } from '../sorted.js';
+import { pointsChanged } from './chunks.js';
 
 /** @typedef {import('nctape').Path} Path */
 /** @typedef {import('nctape').PathChange} PathChange */
@@ -18,6 +19,7 @@ export function patched(path, change) {
   const isAsLong = to - from === span.length && before - first - last === kinds.length;
   if (isAsLong) {
     path.xyz.set(xyz, 3 * from);
+    pointsChanged(path.xyz, from, to);
     path.span.set(span, from);
     path.kinds.set(kinds, first);
     path.substitutes.set(substitutes, first);
