@@ -279,6 +279,18 @@ impl Tape {
         Ok(self.path_of(Kept::default(), argument::tolerance(tolerance)?).into())
     }
 
+    /// Whether the path is that of another tape within a tolerance, a length above zero in the unit of this one's
+    /// format. Order and direction count, and rapid traverse is another path than the same way at feed; how the path is
+    /// divided into blocks does not count.
+    #[wasm_bindgen(js_name = samePath)]
+    pub fn same_path(
+        &self,
+        other: &Tape,
+        #[wasm_bindgen(unchecked_param_type = "number")] tolerance: &JsValue,
+    ) -> Result<bool, JsValue> {
+        Ok(nctape::same_path(&self.tape, &other.tape, argument::tolerance(tolerance)?))
+    }
+
     /// The path of the cutter's centre where cutter compensation is in force; `null` where it is not, or where the
     /// format states no radius of a cutter.
     #[wasm_bindgen(unchecked_return_type = "OffsetPath | null")]

@@ -64,7 +64,10 @@ pub mod convert;
 mod suggest;
 
 pub mod offset;
+
 pub mod presets;
+
+mod same;
 
 pub use diagnostic::{Diagnostic, Language, Severity};
 pub use execute::{
@@ -72,6 +75,7 @@ pub use execute::{
     Turning, ZeroRows,
 };
 pub use format::{Format, Standard};
+pub use same::same_path;
 pub use suggest::{Suggestion, suggest};
 pub use tape::{ROW_PITCH_MILLIMETRES, Tape};
 
