@@ -28,6 +28,7 @@ import { timed } from './timing.js';
 
 /**
  * @typedef {object} Callbacks
+ * @property {() => Worker} makeWorker  a new one: at the start, and after a trap
  * @property {() => Current} current  what the tape is now, for a new worker
  * @property {(change: Change) => void} onChange  the newest change was read
  * @property {(refusal: string) => void} onRefusal  an argument was malformed: the tape stays as it was
@@ -70,7 +71,7 @@ export class Engine {
   }
 
   start() {
-    const worker = new Worker(new URL('./worker.js', import.meta.url), { type: 'module', name: 'nctape' });
+    const worker = this.callbacks.makeWorker();
     let alive = false;
     worker.onmessage = ({ data }) => {
       if (data.ready) alive = true;

@@ -4,33 +4,15 @@ import { Engine } from './engine.js';
 import { clearNotice, notice } from './notice.js';
 import { makePlayground } from './playground.js';
 import { begin } from './start.js';
-import { Store } from './store.js';
+import { emptyState, Store } from './store.js';
 import { startTheme } from './theme.js';
+import { trustedWorker } from './trusted.js';
+import workerAddress from './page-worker.js?worker&url';
 
 byId('start', HTMLElement).remove();
 byId('app', HTMLElement).hidden = false;
 
-const store = new Store({
-  format: { standard: 'iso2539', detail: '' },
-  explanation: null,
-  summary: null,
-  here: null,
-  pointed: null,
-  chosen: null,
-  whole: true,
-  leader: new Uint8Array(),
-  skip: false,
-  theme: startTheme(),
-  path: null,
-  track: null,
-  moment: null,
-  held: null,
-  heldBlock: null,
-  playing: false,
-  halted: null,
-  speed: 4,
-  single: false,
-});
+const store = new Store(emptyState(startTheme()));
 
 /** @type {import('./playground.js').Playground | null} */
 let playground = null;
@@ -39,6 +21,7 @@ let playground = null;
 let isDown = false;
 
 const engine = new Engine({
+  makeWorker: () => trustedWorker(workerAddress, { type: 'module', name: 'nctape' }),
   current: () => playground?.current() ?? { source: '', format: store.state.format, skip: false, offset: 0 },
   onChange(change) {
     if (isDown) clearNotice();

@@ -38,6 +38,33 @@
  * @property {boolean} single  play stops behind every block
  */
 
+/**
+ * Before anything is known.
+ * @param {State['theme']} theme
+ * @returns {State}
+ */
+export const emptyState = (theme) => ({
+  format: { standard: 'iso2539', detail: '' },
+  explanation: null,
+  summary: null,
+  here: null,
+  pointed: null,
+  chosen: null,
+  whole: true,
+  leader: new Uint8Array(),
+  skip: false,
+  theme,
+  path: null,
+  track: null,
+  moment: null,
+  held: null,
+  heldBlock: null,
+  playing: false,
+  halted: null,
+  speed: 4,
+  single: false,
+});
+
 export class Store {
   /** @param {State} state */
   constructor(state) {

@@ -1,6 +1,6 @@
 // The worker owns the wasm and the one live tape. It answers in the order in which it is asked; what came in one
 // message is answered in one.
-import init, * as nctape from 'nctape';
+import * as nctape from 'nctape';
 import { tapePicture } from './files/tape-picture.js';
 import { questions } from './questions.js';
 import { timed } from './timing.js';
@@ -119,16 +119,27 @@ function answer({ about, name, args }) {
  */
 const isRefusal = (error) => error instanceof TypeError && 'field' in error;
 
-const ready = init().then(
-  () => postMessage({ ready: true }),
-  (error) => {
-    postMessage({ failed: String(error?.message ?? error) });
-    throw error;
-  },
-);
-ready.catch(() => {});
+/**
+ * Answers as soon as the wasm is there.
+ * @param {Promise<unknown>} start  of the wasm
+ */
+export function serve(start) {
+  const ready = start.then(
+    () => postMessage({ ready: true }),
+    (error) => {
+      postMessage({ failed: String(error?.message ?? error) });
+      throw error;
+    },
+  );
+  ready.catch(() => {});
+  onmessage = ({ data }) => void answerAll(ready, data);
+}
 
-onmessage = async ({ data }) => {
+/**
+ * @param {Promise<unknown>} ready
+ * @param {Request[]} requests
+ */
+async function answerAll(ready, requests) {
   try {
     await ready;
   } catch {
@@ -136,7 +147,7 @@ onmessage = async ({ data }) => {
   }
   /** @type {({ id: number, value: unknown } | { id: number, refused: string })[]} */
   const replies = [];
-  for (const request of /** @type {Request[]} */ (data)) {
+  for (const request of requests) {
     try {
       const value = await timed(`nctape.${request.name}`, () => answer(request));
       replies.push({ id: request.id, value });
@@ -150,4 +161,4 @@ onmessage = async ({ data }) => {
     }
   }
   postMessage({ replies });
-};
+}
