@@ -1,12 +1,14 @@
 import { fileURLToPath } from 'node:url';
 import { defineConfig } from 'vite';
+import { embedPage } from './build/embed.js';
+
+const alias = { nctape: fileURLToPath(new URL('pkg/nctape.js', import.meta.url)) };
 
 export default defineConfig({
   // Relative, or the page breaks on a host that serves it from a sub-folder.
   base: './',
-  resolve: {
-    alias: { nctape: fileURLToPath(new URL('pkg/nctape.js', import.meta.url)) },
-  },
+  resolve: { alias },
+  plugins: [embedPage(alias)],
   build: {
     outDir: 'dist',
     target: 'es2022',

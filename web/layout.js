@@ -36,29 +36,32 @@ function makeDivider() {
 
 const TABS = ['program', 'path', 'problems'];
 
-function makeTabs() {
+/**
+ * @param {string[]} names  of the views, the first of which is shown
+ */
+export function makeTabs(names) {
   const bench = byId('bench', HTMLElement);
-  const tabs = TABS.map((name) => byId(`tab-${name}`, HTMLElement));
+  const tabs = names.map((name) => byId(`tab-${name}`, HTMLElement));
   /** @param {string} name */
   function choose(name) {
     bench.dataset.tab = name;
     tabs.forEach((tab, index) => {
-      const chosen = TABS[index] === name;
+      const chosen = names[index] === name;
       tab.setAttribute('aria-selected', String(chosen));
       tab.tabIndex = chosen ? 0 : -1;
     });
   }
   tabs.forEach((tab, index) => {
-    tab.addEventListener('click', () => choose(TABS[index]));
+    tab.addEventListener('click', () => choose(names[index]));
     tab.addEventListener('keydown', (event) => {
       const way = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
       if (way === 0) return;
-      const next = (index + way + TABS.length) % TABS.length;
-      choose(TABS[next]);
+      const next = (index + way + names.length) % names.length;
+      choose(names[next]);
       tabs[next].focus();
     });
   });
-  choose(TABS[0]);
+  choose(names[0]);
   return choose;
 }
 
@@ -77,7 +80,7 @@ function nameViews(narrow) {
 /** @returns {{ showTab: (name: string) => void, narrow: () => boolean }} */
 export function makeLayout() {
   makeDivider();
-  const showTab = makeTabs();
+  const showTab = makeTabs(TABS);
   const wide = matchMedia('(min-width: 1000px)');
   nameViews(!wide.matches);
   wide.addEventListener('change', () => nameViews(!wide.matches));

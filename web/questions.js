@@ -1,4 +1,5 @@
 // What the page asks of the tape, one question for each view. Runs in the worker.
+import { Tape as Other } from 'nctape';
 import { replayQuestions } from './replay/stretch.js';
 import { firstAtOrAfter } from './sorted.js';
 
@@ -157,6 +158,36 @@ export const questions = {
 
   /** @param {Tape} tape @param {number} index */
   block: (tape, index) => tape.block(index),
+
+  /**
+   * The block of this sequence number, else the one at this place, counted from 1; null if there is none.
+   * @param {Tape} tape
+   * @param {string} name
+   */
+  blockNamed(tape, name) {
+    for (let index = 0; ; index += 1) {
+      const block = tape.block(index);
+      if (block === null) break;
+      if (block.sequence === name) return block;
+    }
+    return /^\d{1,9}$/.test(name) && Number(name) > 0 ? tape.block(Number(name) - 1) : null;
+  },
+
+  /**
+   * The path is that of another tape.
+   * @param {Tape} tape
+   * @param {string} source  of the other
+   * @param {import('nctape').Format} format  of the other
+   * @param {number} tolerance  in the unit of the tape
+   */
+  samePath(tape, source, format, tolerance) {
+    const other = new Other(source, format);
+    try {
+      return tape.samePath(other, tolerance);
+    } finally {
+      other.free();
+    }
+  },
 };
 
 /**

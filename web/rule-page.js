@@ -11,7 +11,7 @@ import { severityMark, SEVERITY_WORD } from './severity.js';
  * @param {object} parts
  * @param {import('./engine.js').Engine} parts.engine
  * @param {() => Standard} parts.standard  that the reader works under
- * @param {(example: import('./rule-examples.js').Example) => void} parts.load
+ * @param {((example: import('./rule-examples.js').Example) => void) | null} parts.load  null: its examples are only read
  */
 export function makeRulePage({ engine, standard, load }) {
   const dialog = byId('rule-page', HTMLDialogElement);
@@ -26,7 +26,7 @@ export function makeRulePage({ engine, standard, load }) {
     const read = exampleReader(standard());
     return (info, body) => {
       const example = read(info, body);
-      if (example === null) return null;
+      if (example === null || load === null) return null;
       return button('small', 'Open this example', () => {
         dialog.close();
         load(example);
@@ -41,7 +41,7 @@ export function makeRulePage({ engine, standard, load }) {
       const [rules, standards] = await known;
       const rule = rules.find((candidate) => candidate.rule === id || candidate.aliases.includes(id));
       if (rule === undefined) return;
-      dialog.replaceChildren(...pageOf(rule, standards, underFence()));
+      dialog.replaceChildren(...pageOf(rule, standards, underFence(), () => dialog.close()));
       dialog.scrollTop = 0;
       dialog.showModal();
     },
@@ -52,8 +52,9 @@ export function makeRulePage({ engine, standard, load }) {
  * @param {Rule} rule
  * @param {{ id: Standard, title: string }[]} standards
  * @param {import('./markdown.js').UnderFence} underFence
+ * @param {() => void} close
  */
-function pageOf(rule, standards, underFence) {
+function pageOf(rule, standards, underFence, close) {
   const verdicts = standards.map(({ id, title }) => {
     const severity = rule.severity[id];
     return el(
@@ -67,7 +68,8 @@ function pageOf(rule, standards, underFence) {
   // The page's own heading would say the title twice.
   if (rule.page.trimStart().startsWith('# ')) body.shift();
   return [
-    el('form', { method: 'dialog', class: 'page-close' }, el('button', { type: 'submit', class: 'small' }, 'Close')),
+    // No form: a frame may be one where forms are forbidden.
+    el('div', { class: 'page-close' }, button('small', 'Close', close)),
     el('p', { class: 'eyebrow' }, `${rule.rule} · ${rule.name}`),
     el('h2', { id: 'rule-title' }, rule.title),
     el('ul', { class: 'verdicts' }, ...verdicts),

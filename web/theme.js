@@ -8,7 +8,7 @@ import { recall, remember } from './storage.js';
 const CHOICES = ['auto', 'light', 'dark'];
 const WORDS = { auto: 'Auto', light: 'Light', dark: 'Dark' };
 
-const dark = matchMedia('(prefers-color-scheme: dark)');
+export const dark = matchMedia('(prefers-color-scheme: dark)');
 
 /** @returns {Choice} */
 function remembered() {
@@ -21,11 +21,11 @@ function remembered() {
  * @param {Choice} choice
  * @returns {'light' | 'dark'}
  */
-const resolve = (choice) => (choice === 'auto' ? (dark.matches ? 'dark' : 'light') : choice);
+export const themeOf = (choice) => (choice === 'auto' ? (dark.matches ? 'dark' : 'light') : choice);
 
 /** Sets the remembered theme before anything is drawn. */
 export function startTheme() {
-  const theme = resolve(remembered());
+  const theme = themeOf(remembered());
   document.documentElement.dataset.theme = theme;
   return theme;
 }
@@ -35,7 +35,7 @@ export function makeThemeButton(store) {
   const button = byId('theme-button', HTMLButtonElement);
   let choice = remembered();
   function apply() {
-    const theme = resolve(choice);
+    const theme = themeOf(choice);
     document.documentElement.dataset.theme = theme;
     const next = CHOICES[(CHOICES.indexOf(choice) + 1) % CHOICES.length];
     button.textContent = WORDS[choice];

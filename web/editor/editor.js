@@ -31,10 +31,11 @@ export const movedBy = Annotation.define();
  * @property {(direction: 1 | -1) => void} goToProblem
  * @property {() => void} leave  where the focus goes by Escape
  * @property {(update: import('@codemirror/view').ViewUpdate) => void} onUpdate
+ * @property {import('@codemirror/state').Extension} [more]  what else the editor of this page does
  */
 
 /** @param {Parts} parts */
-export function makeEditor({ host, format, kinds, ask, card, goToProblem, leave, onUpdate }) {
+export function makeEditor({ host, format, kinds, ask, card, goToProblem, leave, onUpdate, more = [] }) {
   // In a shadow root CodeMirror adopts its style sheets: the page needs no inline style.
   const root = host.attachShadow({ mode: 'open' });
   const style = new CSSStyleSheet();
@@ -72,6 +73,7 @@ export function makeEditor({ host, format, kinds, ask, card, goToProblem, leave,
           autocapitalize: 'off',
         }),
         EditorView.updateListener.of(onUpdate),
+        more,
       ],
     }),
   });

@@ -15,6 +15,7 @@ export function makeShare(current) {
   const said = el('p', { class: 'menu-note', role: 'status', id: 'share-said' });
   const copy = button('menu-item', 'Copy the link', () => void put(link.value, 'The link is copied.'), { id: 'copy-link' });
   const markdown = button('menu-item', 'Copy it as Markdown', () => void put(`[NC tape](${link.value})`, 'Copied as Markdown.'), { id: 'copy-markdown' });
+  const frame = button('menu-item', 'Copy it as a frame, for a page of yours', () => void put(frameOf(link.value), 'Copied as a frame, in HTML.'), { id: 'copy-frame' });
   const file = button('menu-item', 'Save the listing instead', () => {
     menu.close();
     byId('save-listing', HTMLElement).click();
@@ -41,9 +42,19 @@ export function makeShare(current) {
     said.textContent = tooLong
       ? `As a link this tape would have ${figure(address.length)} characters. Mail, chat and course systems cut links beyond some ${figure(MOST_CHARACTERS)}, so that nothing of it would open. Send its listing as a file.`
       : 'The program and its format are in the link itself, behind the #. No server gets to see them.';
-    box.replaceChildren(el('h2', { class: 'menu-first' }, 'Share this tape'), ...(tooLong ? [said, file] : [link, copy, markdown, said]));
+    box.replaceChildren(el('h2', { class: 'menu-first' }, 'Share this tape'), ...(tooLong ? [said, file] : [link, copy, markdown, frame, said]));
   }
 
   const menu = makeMenu({ menu: box, opener: byId('share-button', HTMLElement), fill: tell });
   return { toggle: menu.toggle };
+}
+
+/**
+ * The lines that put the tape of a link into another page: docs/embedding.md.
+ * @param {string} link
+ */
+function frameOf(link) {
+  const { hash } = new URL(link);
+  const address = new URL(`embed.html${hash}`, new URL('./', location.href)).href;
+  return `<iframe width="100%" height="520" title="NC tape" loading="lazy" sandbox="allow-scripts allow-popups allow-popups-to-escape-sandbox" src="${address}"></iframe>`;
 }

@@ -9,7 +9,7 @@ import { serve } from './server.js';
 /** @typedef {import('playwright-core').Locator} Locator */
 
 export const root = fileURLToPath(new URL('../../../', import.meta.url));
-const dist = resolve(process.env.NCTAPE_DIST ?? `${root}dist`);
+export const dist = resolve(process.env.NCTAPE_DIST ?? `${root}dist`);
 
 const WIDE = { width: 1440, height: 900 };
 export const NARROW = { width: 390, height: 844 };
@@ -47,6 +47,8 @@ export async function startBrowser() {
  * @property {boolean} [firstTime]  show the hints
  * @property {(page: Page) => Promise<unknown>} [before]  done before the page is opened
  * @property {boolean} [ready]  wait until the tape is there: true
+ * @property {string} [path]  of the page below the site: the playground
+ * @property {string} [site]  where the pages are: on the server of the test
  */
 
 /**
@@ -55,7 +57,7 @@ export async function startBrowser() {
  * @param {Started} started
  * @param {Visit} [visit]
  */
-export async function visit({ browser, address }, { options, firstTime = false, before, ready = true } = {}) {
+export async function visit({ browser, address }, { options, firstTime = false, before, ready = true, path = '', site = address } = {}) {
   const context = await browser.newContext({ viewport: WIDE, colorScheme: 'light', reducedMotion: 'reduce', ...options });
   if (!firstTime) await context.addInitScript(() => localStorage.setItem('nctape.hints', 'done'));
   const page = await context.newPage();
@@ -70,7 +72,7 @@ export async function visit({ browser, address }, { options, firstTime = false, 
     if (protocol.startsWith('http') && origin !== new URL(address).origin) troubles.push(`request to ${request.url()}`);
   });
   await before?.(page);
-  await page.goto(address);
+  await page.goto(site + path);
   if (ready) await settled(page);
   return {
     page,

@@ -1,0 +1,95 @@
+// Makes dist/embed.html, one file that needs no other, and dist/nc-tape.js, which puts it into the pages of others.
+import { createHash } from 'node:crypto';
+import { readFile } from 'node:fs/promises';
+import { fileURLToPath } from 'node:url';
+import { build } from 'vite';
+
+const root = fileURLToPath(new URL('..', import.meta.url));
+
+/**
+ * @param {import('vite').AliasOptions} alias
+ * @returns {import('vite').Plugin}
+ */
+export function embedPage(alias) {
+  return {
+    name: 'nctape-embed',
+    apply: 'build',
+    async generateBundle() {
+      const [page, worker, element, template, wasm, host] = await Promise.all([
+        bundle('web/embed/main.js', 'es', alias),
+        bundle('web/embed/worker.js', 'iife', alias),
+        bundle('web/embed/element.js', 'iife', alias),
+        readFile(`${root}web/embed/embed.html`, 'utf8'),
+        readFile(`${root}pkg/nctape_bg.wasm`),
+        readFile(`${root}web/embed/embedding.html`, 'utf8'),
+      ]);
+      const parts = {
+        css: page.css.trim(),
+        main: scriptText(page.script),
+        worker: scriptText(worker.script),
+        wasm: Array.from(wasm, letterOf).join(''),
+      };
+      // The mark of UTF-8 comes first, which holds against whatever a server says.
+      const hashes = { script: hash(parts.main), style: hash(parts.css) };
+      this.emitFile({ type: 'asset', fileName: 'embed.html', source: `\uFEFF${filled(template, { ...parts, ...hashes })}` });
+      this.emitFile({ type: 'asset', fileName: 'nc-tape.js', source: element.script });
+      this.emitFile({ type: 'asset', fileName: 'embedding.html', source: host });
+    },
+  };
+}
+
+/**
+ * One script of a file and all that it imports, and the style sheet that goes with it.
+ * @param {string} file
+ * @param {'es' | 'iife'} format
+ * @param {import('vite').AliasOptions} alias
+ */
+async function bundle(file, format, alias) {
+  const made = await build({
+    root,
+    configFile: false,
+    logLevel: 'warn',
+    resolve: { alias },
+    plugins: [withoutFetch],
+    build: {
+      write: false,
+      target: 'es2022',
+      modulePreload: false,
+      rolldownOptions: { input: root + file, output: { format, codeSplitting: false, entryFileNames: 'script.js' } },
+    },
+  });
+  if (!('output' in made)) throw new Error(`${file} was not bundled once`);
+  const [{ code }, ...rest] = made.output;
+  const sheets = rest.map((one) => (one.type === 'asset' ? String(one.source) : ''));
+  return { script: code.trim(), css: sheets.join('') };
+}
+
+/** The glue of the wasm names the file beside it, which is in no bundle. @type {import('vite').Plugin} */
+const withoutFetch = {
+  name: 'nctape-without-fetch',
+  transform: (code, id) => (id.endsWith('pkg/nctape.js') ? code.replace(/new URL\('nctape_bg\.wasm', import\.meta\.url\)/, "''") : null),
+};
+
+/**
+ * A byte as a letter of a page. Brotli, which the file is sent with, makes as much of these letters as of the bytes:
+ * the wasm takes 476 kB so, and 596 kB as base64 of deflated bytes, where it is 459 kB by itself (gzip: 623 and 599 kB).
+ * Three bytes would not stay what they are in a page, and become letters with the same last eight bits.
+ * @param {number} byte
+ */
+const letterOf = (byte) => String.fromCharCode([0x00, 0x0d, 0x3c].includes(byte) ? byte + 0x100 : byte);
+
+/** A script as it may stand within a page: nothing in it ends the element, or begins a comment. @param {string} code */
+const scriptText = (code) => code.replaceAll('</script', '<\\/script').replaceAll('<!--', '<\\!--');
+
+/** @param {string} text */
+const hash = (text) => createHash('sha256').update(text).digest('base64');
+
+/**
+ * @param {string} template
+ * @param {Record<string, string>} parts
+ */
+const filled = (template, parts) =>
+  template.replace(/\{(\w+)\}/g, (_, name) => {
+    if (!(name in parts)) throw new Error(`embed.html wants {${name}}`);
+    return parts[name];
+  });
