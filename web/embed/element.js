@@ -21,7 +21,7 @@ const home = script instanceof HTMLScriptElement ? script.src : document.baseURI
 
 const style = new CSSStyleSheet();
 style.replaceSync(`
-:host { display: block; position: relative; overflow: hidden; border: 1px solid #b9b6ad; border-radius: 8px; background: #f3f2ee; color: #1c2024; }
+:host { display: block; box-sizing: border-box; height: ${HEIGHT}px; position: relative; overflow: hidden; border: 1px solid #b9b6ad; border-radius: 8px; background: #f3f2ee; color: #1c2024; }
 :host([hidden]) { display: none; }
 :host([theme="dark"]) { border-color: #4a525b; background: #16191d; color: #e7e9ec; }
 iframe { display: block; width: 100%; height: 100%; border: 0; }
@@ -151,7 +151,7 @@ export class NcTape extends HTMLElement {
 
   #size() {
     const height = Number(this.getAttribute('height'));
-    this.style.height = `${height > 0 && height < 10_000 ? height : HEIGHT}px`;
+    this.style.height = height > 0 && height < 10_000 ? `${height}px` : '';
   }
 
   #settings() {
