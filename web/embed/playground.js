@@ -57,7 +57,7 @@ export function makePlayground({ store, engine, kinds }) {
   };
 
   const readOnly = new Compartment();
-  const { view: editor, refreshMarks } = makeEditor({
+  const { view: editor, refreshMarks, marksWanted } = makeEditor({
     host: byId('editor', HTMLElement),
     format: store.state.format,
     kinds,
@@ -81,6 +81,7 @@ export function makePlayground({ store, engine, kinds }) {
   const goal = goalTeller(store, engine);
   const fullPage = makeFullPage(whole);
 
+  engine.foresee(() => [['listing', ...marksWanted()]]);
   store.on(['summary'], () => void refreshMarks());
   store.on(['here', 'chosen'], ({ here, chosen }) => light(editor, { block: here?.block ?? null, chosen }));
   store.on(['here'], ({ here }) => {

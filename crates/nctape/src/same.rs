@@ -273,7 +273,7 @@ mod tests {
             let mut corner = if i == 0 { 0.0 } else { f64::INFINITY };
             let mut before = f64::INFINITY;
             for (j, b) in q.iter().enumerate() {
-                let way = ((a[0] - b[0]).powi(2) + (a[1] - b[1]).powi(2)).sqrt();
+                let way = libm::hypot(a[0] - b[0], a[1] - b[1]);
                 let reach = row[j].min(corner).min(before);
                 corner = row[j];
                 before = reach.max(way);
