@@ -1,11 +1,12 @@
 //! What holds for every text, every format and every span.
 
-use nctape::convert::{Dialect, to_decimal};
+use nctape::convert::{Converted, Dialect, convert, from_decimal, to_decimal};
+use nctape::format::value::Positive;
 use nctape::format::{
-    ArcCentre, ArcFeed, ArcParameters, CurveKind, Detail, Dimensions, FeedCoding, Itemized, ParabolaParameters, Places,
-    Plane, TapeCode, explain,
+    ArcCentre, ArcFeed, ArcParameters, CompensationVector, CurveKind, Detail, Dimensions, Dwell, DwellUnit, FeedCoding,
+    FeedUnit, Itemized, ParabolaParameters, Places, Plane, SetPoint, SpindleCoding, TapeCode, TimeScale, explain,
 };
-use nctape::span::Geometry;
+use nctape::span::{Geometry, SpanKind};
 use nctape::{Format, Standard, Tape};
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -17,6 +18,7 @@ fn text() -> impl Strategy<Value = String> {
         8 => select(vec![
             "N001", "n2", ":010", "G00", "G01", "G02", "G03", "G06", "G17", "G18", "G19", "G90", "G91", "G92", "G93", "G95",
             "G04", "G05", "G33", "G81", "G37", "X+010000", "X010000", "Y-005000", "Y5", "Z+001000", "I+014142", "J-014142",
+            "G40", "G41", "G42", "G34", "P+1000", "Q+0707", "Q-1000", "R+0707", "R+000500", "B+09000", "%12", "F99", "T0102",
             "K+000001", "I0", "J0", "F0300", "F0", "S615", "T01", "M02", "M03", "M30", "X99999999999999999999", "H1", "O1",
         ]).prop_map(str::to_owned),
         3 => select(vec!["\n", "\r\n", "\r", "*", "*\n", "(", ")", "%", "/", "\t", " ", ".", "+", "-"]).prop_map(str::to_owned),
@@ -31,7 +33,7 @@ fn format() -> impl Strategy<Value = Format> {
     let detail = prop_oneof![
         4 => select(vec![
             "N3.G2.XD33.YD33.ZD33.ID33.JD33.F4.M2*", "N3G2X+33Y+33Z+33I+33J+33K+33F4S3T2M2*", "N3G2XL042YL042IL033JL042F4M2*",
-            "N3.G2.X420.Y420.F2.M2*", "n3 g2 x+14 y+14 i+15 j+15 f21 m2*", "X99Y+99I99J99P+13Q+13R+13", "X+09Y+90Z00I+90F9",
+            "N3.G2.X420.Y420.F2.M2*", "n3 g2 x+14 y+14 i+15 j+15 f21 m2*", "X99Y+99I99J99P+13Q+13R+13", "N3G2XL33YL33ZL33IL33JL33KL33PL13QL13RL13B+23F2S2T4M2*", "N3G2X+33Z+33R+33F3S3M2*", "X+09Y+90Z00I+90F9",
         ]).prop_map(str::to_owned),
         1 => "\\PC{0,40}",
         1 => "[NGXYZIJKFSTM.+DL*0-9 ]{0,40}",
@@ -63,7 +65,21 @@ fn itemized() -> impl Strategy<Value = Itemized> {
         some(ParabolaParameters::ALL),
     );
     let second = (prop::option::of(any::<bool>()), prop::option::of(any::<bool>()), prop::option::of(any::<bool>()));
-    (first, second).prop_map(|(first, (helix, full_circle, compensation))| {
+    let positive = || prop::option::of(select(vec![1e-9, 0.5, 10.0, 300.0, 1e12]).prop_map(Positive));
+    let digits = || prop::option::of(0_u8..10);
+    let dwell = (select(vec!['F', 'X', 'P', 'Z', 'H']), select(vec![DwellUnit::Seconds, DwellUnit::Revolutions]));
+    let third = (
+        (some(CompensationVector::ALL), some(SpindleCoding::ALL), some(FeedUnit::ALL)),
+        (positive(), positive(), positive(), positive()),
+        (digits(), digits(), digits(), prop::option::of(select(vec![TimeScale(1), TimeScale(10)]))),
+        prop::option::of(dwell.prop_map(|(address, unit)| Dwell { address, unit })),
+        prop::option::of(prop::collection::vec(-1e6..1e6, 0..5).prop_map(SetPoint::InOrder)),
+    );
+    (first, second, third).prop_map(|(first, (helix, full_circle, compensation), third)| {
+        let (choices, sizes, counts, dwell, set_point) = third;
+        let (compensation_vector, spindle, feed_unit) = choices;
+        let (cutter_radius, maximum_feed, rapid, reader_speed) = sizes;
+        let (decimal_shift, compensation_digits, program_number_digits, time_scale) = counts;
         let (code, dimensions, plane, arc_parameters, arc_centre, feed, arc_feed, parabola_parameters) = first;
         Itemized {
             code,
@@ -77,10 +93,38 @@ fn itemized() -> impl Strategy<Value = Itemized> {
             helix,
             full_circle,
             compensation,
+            compensation_vector,
+            spindle,
+            feed_unit,
+            cutter_radius,
+            maximum_feed,
+            rapid,
+            reader_speed,
+            decimal_shift,
+            compensation_digits,
+            program_number_digits,
+            time_scale,
+            dwell,
+            set_point,
             curves: Some([("G05".to_owned(), CurveKind::Cubic)].into()),
             ..Itemized::default()
         }
     })
+}
+
+/// Source and text of a conversion are linked in order, and what is said of it is said inside the source.
+fn is_linked(text: &str, converted: &Converted) -> Result<(), TestCaseError> {
+    let mut end = 0;
+    for (from, to) in &converted.map {
+        prop_assert!(text.get(from.clone()).is_some() && converted.text.get(to.clone()).is_some());
+        prop_assert!(to.start >= end || to.end == end, "{:?}", converted.map);
+        end = to.end;
+    }
+    for found in &converted.diagnostics {
+        prop_assert!(text.get(found.range.clone()).is_some(), "{} at {:?}", found.id, found.range);
+    }
+    prop_assert!(converted.diagnostics.windows(2).all(|pair| pair[0].range.start <= pair[1].range.start));
+    Ok(())
 }
 
 proptest! {
@@ -124,16 +168,24 @@ proptest! {
             let words = line.split('(').next().unwrap_or("");
             prop_assert!(!words.contains("NaN") && !words.contains("inf") && !words.contains('e'), "{line}");
         }
-        let mut end = 0;
-        for (from, to) in &converted.map {
-            prop_assert!(text.get(from.clone()).is_some() && converted.text.get(to.clone()).is_some());
-            prop_assert!(to.start >= end || to.end == end, "{:?}", converted.map);
-            end = to.end;
+        is_linked(&text, &converted)?;
+    }
+
+    #[test]
+    fn any_text_is_converted_to_blocks_of_any_format(text in text(), from in format(), to in format()) {
+        for converted in [convert(&text, &from, &to), from_decimal(&text, &to)] {
+            prop_assert!(converted.text.starts_with('%') && converted.text.ends_with('\n'));
+            is_linked(&text, &converted)?;
+            // What is written is in the language of the other format, as far as that has one.
+            Tape::new(&converted.text, &to);
         }
-        for found in &converted.diagnostics {
-            prop_assert!(text.get(found.range.clone()).is_some(), "{} at {:?}", found.id, found.range);
+    }
+
+    #[test]
+    fn the_path_of_the_cutter_is_finite(text in text(), format in format()) {
+        if let Some(path) = Tape::new(&text, &format).offset(0.1) {
+            prop_assert!(path.xyz.iter().all(|at| at.is_finite()));
         }
-        prop_assert!(converted.diagnostics.windows(2).all(|pair| pair[0].range.start <= pair[1].range.start));
     }
 
     #[test]
@@ -167,7 +219,7 @@ proptest! {
         for (index, span) in spans.list.iter().enumerate() {
             prop_assert!(span.length.is_finite() && span.length >= 0.0);
             prop_assert!(span.feed.is_none_or(f64::is_finite) && span.seconds.is_none_or(f64::is_finite));
-            prop_assert!(spans.start(index) != spans.end(index) || matches!(span.geometry, Geometry::Arc(_) | Geometry::Curve { .. }), "moves nothing");
+            prop_assert!(spans.start(index) != spans.end(index) || span.kind == SpanKind::Dwell || matches!(span.geometry, Geometry::Arc(_) | Geometry::Curve { .. }), "moves nothing");
             prop_assert!(span.blocks.0 <= span.blocks.1 && span.blocks.1 < tape.reading().blocks.len());
         }
         let points = tape.points(0.1);

@@ -6,7 +6,7 @@
 //! the format itself has ` ```json bad PATH "text at fault" ` and ` ```json good ` instead.
 //!
 //! A rule of the family CONV is about a conversion: its tapes are converted to decimal G-code, and its decimal G-code to
-//! a tape, and what that reports is looked at.
+//! a tape, and what that reports is looked at; that on set points has them written for another tape.
 //!
 //! A rule on CLDATA has ` ```cldata bad ` and ` ```cldata good `, read as a stream.
 //!
@@ -18,7 +18,7 @@
 mod page;
 
 use nctape::cldata::{Cldata, Options};
-use nctape::convert::{Dialect, from_decimal, to_decimal};
+use nctape::convert::{Dialect, convert, from_decimal, to_decimal};
 use nctape::format::{FormatDiagnostic, explain, explain_read};
 use nctape::rules::{ALL, Rule};
 use nctape::{Diagnostic, Format, Language, Severity, Standard, Tape};
@@ -219,6 +219,12 @@ fn check_tape(rule: &'static Rule, example: &TapeExample, under: &FormatExample)
 fn found_in(rule: &Rule, text: &str, format: &Format) -> Vec<Diagnostic> {
     let found = Tape::new(text, format).diagnostics();
     match rule.family() {
+        // Another control whose format differs in nothing but where the tool stands.
+        "CONV" if rule.name == "other-set-point" => {
+            let mut to = format.clone();
+            to.itemized.set_point = None;
+            convert(text, format, &to).diagnostics
+        }
         "CONV" if found.iter().any(|found| found.rule.name == "decimal-sign") => from_decimal(text, format).diagnostics,
         "CONV" => to_decimal(text, format, Dialect::LinuxCnc).diagnostics,
         _ => found,

@@ -99,6 +99,28 @@ test("decimal G-code becomes a tape, and comes back", () => {
   assert.deepEqual(lacking.map(({ rule, severity }) => [rule, severity]), [["CONV-09", "error"]]);
 });
 
+test("a tape becomes a tape of another format, and comes back", () => {
+  const { source, format } = preset("annex-e-circular");
+  const to = {
+    ...format,
+    classification: "CAM 333",
+    detail: "N4G2X+43Y+43Z+43I+43J+43F4M2*",
+    itemized: { ...format.itemized, arcCentre: /** @type {const} */ ("from-start") },
+  };
+  const there = nctape.convert(source, format, to);
+  assert.deepEqual(there.diagnostics.filter(({ severity }) => severity === "error"), []);
+  const [from, end, textFrom, textTo] = there.map.at(-1) ?? [0, 0, 0, 0];
+  assert.ok(source.slice(from, end).includes("M"), source.slice(from, end));
+  assert.ok(there.text.slice(textFrom, textTo).startsWith("N0"), there.text);
+  const ends = (/** @type {string} */ text, /** @type {typeof format} */ format) =>
+    nctape.check(text, format).spans.filter(({ kind }) => kind === "arc").map(({ sweep }) => Math.sign(sweep ?? 0));
+  assert.deepEqual(ends(there.text, to), ends(source, format));
+  const back = nctape.convert(there.text, to, format);
+  assert.deepEqual(ends(back.text, format), ends(source, format));
+  // @ts-expect-error: that is what is tried
+  assert.throws(() => nctape.convert(source, format, { standard: "din" }), TypeError);
+});
+
 test("an unknown dialect is a TypeError that names its field", () => {
   const { source, format } = preset("annex-e-circular");
   for (const dialect of ["fanuc", "", null, 7]) {

@@ -2,7 +2,7 @@
 //! pairs; parentheses that open and close; whole stretches that go.
 
 use nctape::format::value::Positive;
-use nctape::format::{CurveKind, Dimensions, Dwell, DwellUnit};
+use nctape::format::{CompensationVector, CurveKind, Dimensions, Dwell, DwellUnit, FeedCoding};
 use nctape::{Format, Standard, Tape};
 use std::fmt::Write;
 
@@ -47,6 +47,9 @@ const PIECES: &[&str] = &[
     "G40",
     "P+0000 Q+1000",
     "P+0707",
+    "P+0707 R-0707 F40",
+    "R+000500",
+    "G34 Z-001000 K+000100\n",
     "P+0000 Q+0000 R+0000",
     "B+090000",
     "G33 Z-002000 K+000150",
@@ -111,7 +114,7 @@ pub fn tape(blocks: usize) -> String {
 }
 
 /// Controls that read the same text in different ways.
-pub fn formats() -> [Format; 5] {
+pub fn formats() -> [Format; 7] {
     let mut incremental =
         Format::new(Standard::Iso2539, "N3.G2.XL42.YL42.ZL42.IL42.JL42.F4.T2.M2*").classified("CSM 332");
     incremental.itemized.dimensions = Some(Dimensions::Incremental);
@@ -123,12 +126,21 @@ pub fn formats() -> [Format; 5] {
     compensated.itemized.compensation = Some(true);
     compensated.itemized.cutter_radius = Some(Positive(2.5));
     compensated.itemized.compensation_digits = Some(1);
+    let mut tangent = compensated.clone();
+    tangent.detail = "N3G2XL42YL42ZL42PL13QL13RL13IL42JL42KL33B+33F2S2T3M2*".to_owned();
+    tangent.itemized.compensation_vector = Some(CompensationVector::Tangent);
+    tangent.itemized.maximum_feed = Some(Positive(200.0));
+    (tangent.itemized.feed, tangent.itemized.decimal_shift) = (Some(FeedCoding::Geometric), Some(1));
+    let mut rapid_z = Format::new(Standard::Iso2539, "N3G2X+42Y+42Z+42R+42I+42J+42F4S4T2M2*").classified("CAM 433");
+    rapid_z.itemized.dwell = Some(Dwell { address: 'F', unit: DwellUnit::Seconds });
     [
         absolute,
         incremental,
         Format::new(Standard::Iso1058, "N3.G2.X+42.Y+42.F2.T2.M2*").classified("PTM 222"),
         Format::new(Standard::Rs274, "n3 g2 x+14 y+14 i+14 j+14 f21 m2*"),
         compensated,
+        tangent,
+        rapid_z,
     ]
 }
 

@@ -41,6 +41,19 @@ pub fn from_decimal(
     Ok(converted(convert::from_decimal(&source, &to), &source, to.standard))
 }
 
+/// A tape of one format as a tape of another.
+#[wasm_bindgen(js_name = convert, unchecked_return_type = "Converted")]
+pub fn convert_tape(
+    #[wasm_bindgen(unchecked_param_type = "string")] source: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Format")] from: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Format")] to: &JsValue,
+) -> Result<JsValue, JsValue> {
+    let source = argument::text(source, "source")?;
+    let (from, _) = argument::format(from)?;
+    let (to, _) = argument::format(to)?;
+    Ok(converted(convert::convert(&source, &from, &to), &source, from.standard))
+}
+
 /// The words of the dialects, for a message.
 fn dialects() -> String {
     let words: Vec<String> = Dialect::ALL.iter().map(|(_, word, _)| format!("\"{word}\"")).collect();

@@ -21,7 +21,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 // Rust sees the same names as a script, so that the browser tests can call them.
 pub use cldata::{check_cldata, cl_text_to_cldata};
-pub use convert::{from_decimal, to_decimal};
+pub use convert::{convert_tape, from_decimal, to_decimal};
 pub use functions::{
     check, columns, decimal_places, decode, encode, explain_format, format_line, points, shift_decimals,
     suggest_format, version,

@@ -1,13 +1,14 @@
 //! Today's decimal G-code as a tape of a format.
 
 use super::Converted;
+use super::fault::told;
 use super::gcode::{Line, Word, lines};
+use super::noted::Noted;
 use crate::diagnostic::{Diagnostic, Sink};
 use crate::execute::circle::ArcBlock;
 use crate::execute::parabola::Parabola;
 use crate::format::{Control, FeedCoding, FeedUnit, Format, Plane, Unit};
 use crate::rules::conversion as rules;
-use crate::speed::NoCode;
 use crate::write::{Course, Fault, Move, Pace, TapeWriter};
 use std::ops::Range;
 
@@ -40,8 +41,7 @@ struct Reader<'a> {
     writer: TapeWriter<'a>,
     map: Vec<(Range<usize>, Range<usize>)>,
     diagnostics: Vec<Diagnostic>,
-    /// The first line of which a number was rounded.
-    rounded: Option<Range<usize>>,
+    noted: Noted,
     /// Units of the format in one of the text.
     scale: f64,
     incremental: bool,
@@ -65,7 +65,7 @@ impl<'a> Reader<'a> {
             writer,
             map: Vec::new(),
             diagnostics: Vec::new(),
-            rounded: None,
+            noted: Noted::default(),
             // A text that does not say its unit has that of the format.
             scale: 1.0,
             incremental: false,
@@ -97,10 +97,7 @@ impl<'a> Reader<'a> {
                 self.writer.forget();
             }
         }
-        // A thousandth of an increment is what decimal fractions lose in binary.
-        if self.rounded.is_none() && self.writer.rounding > 1e-3 {
-            self.rounded = Some(line.range.clone());
-        }
+        self.noted.look(&self.writer, &line.range);
         let to = self.writer.text.len();
         if !line.words.is_empty() {
             self.map.push((line.range.clone(), from..to));
@@ -377,13 +374,8 @@ impl<'a> Reader<'a> {
     }
 
     fn finish(mut self) -> Converted {
-        if let Some(range) = self.rounded.take() {
-            let message = format!(
-                "Numbers are rounded to the places of the format, by up to {:.2} of a least input increment.",
-                self.writer.rounding
-            );
-            self.report(&rules::rounded::RULE, range, message);
-        }
+        self.writer.finish();
+        self.noted.tell(&self.writer, &mut Sink::new(self.control.standard(), &mut self.diagnostics));
         self.diagnostics.sort_by_key(|found| found.range.start);
         Converted { text: self.writer.text, diagnostics: self.diagnostics, map: self.map }
     }
@@ -402,29 +394,4 @@ fn centre_by_radius(from: [f64; 2], to: [f64; 2], radius: f64, clockwise: bool) 
     let side = if clockwise == (radius > 0.0) { height } else { -height };
     let normal = [chord[1] / length, -chord[0] / length];
     Some([from[0] + chord[0] / 2.0 + side * normal[0], from[1] + chord[1] / 2.0 + side * normal[1]])
-}
-
-/// What a format cannot say, in words.
-fn told(fault: &Fault) -> String {
-    let what = match fault {
-        Fault::NoWord(address) => format!("The format has no word {address}"),
-        Fault::TooLong { address, value, before } => {
-            format!("{address}{value} does not fit: {address} has {before} digits before its decimal sign")
-        }
-        Fault::Negative { address, value } => format!("{address}{value} does not fit: {address} has no sign"),
-        Fault::Speed { address, value, why } => {
-            let why = match why {
-                NoCode::Below(least) => format!("the least that its coding can say is {least}"),
-                NoCode::Above(most) => format!("the greatest that its coding can say is {most}"),
-                NoCode::NoTable => "the format gives its symbolic codes no values".to_owned(),
-                NoCode::Digits => "its coding has no codes of so many digits".to_owned(),
-                NoCode::NotASpeed => "it is no speed".to_owned(),
-            };
-            format!("{value} has no code in {address}: {why}")
-        }
-        Fault::NoFeed => "No feed is known for this cut".to_owned(),
-        Fault::NoContouring => "ISO 1058 has no arcs and no parabolas".to_owned(),
-        Fault::Helix => "The third axis moves in an arc, which the control does not do".to_owned(),
-    };
-    format!("{what}. It is not converted, and the tape stops there.")
 }

@@ -1,12 +1,16 @@
-//! From a tape to the language of another control.
+//! From a tape to the language of another control, and back.
 //!
 //! A conversion follows the blocks as they are executed and takes the path from the spans, so that whatever a format
 //! leaves open (dimensions, readings of I, J and K, codings of feeds) is settled before it. What it cannot express it
 //! leaves out, marks in the text and says in a diagnostic of the family CONV: nothing is dropped silently.
 
+mod between;
+mod comments;
+mod fault;
 mod from_decimal;
 mod gcode;
 mod linuxcnc;
+mod noted;
 mod output;
 
 use crate::diagnostic::Diagnostic;
@@ -71,4 +75,23 @@ pub fn to_decimal(source: &str, format: &Format, dialect: Dialect) -> Converted 
 /// ```
 pub fn from_decimal(source: &str, to: &Format) -> Converted {
     from_decimal::write(source, to)
+}
+
+/// A tape of one format as a tape of another, with the optional block skip switch off.
+///
+/// Any text gives a tape. It is executed as `from` says, and what it does is written as `to` says it: the same path in
+/// the unit, dimensions and readings of the other format, the same functions, feeds and speeds in its codings. What that
+/// format cannot say is reported, and the tape stops there (M00).
+///
+/// ```
+/// use nctape::convert::convert;
+/// use nctape::{Format, Standard};
+/// let from = Format::new(Standard::Iso2539, "N3G2X+42Y+42F4M2*").classified("CAM 222");
+/// let to = Format::new(Standard::Iso2539, "N4.G2.XD33.YD33.F4.M2*").classified("CSM 222");
+/// let tape = convert("%\nN001 G01 X+001050 Y-000300 F0300\nN002 M30\n", &from, &to);
+/// assert_eq!(tape.text, "%\nN0001\tG01\tX+010500\tY-003000\tF0300\nN0002\t\t\t\t\tM30\n");
+/// assert!(tape.diagnostics.is_empty());
+/// ```
+pub fn convert(source: &str, from: &Format, to: &Format) -> Converted {
+    between::write(&Tape::new(source, from), to)
 }

@@ -3,9 +3,10 @@
 use super::feed::{Feed, read_speed};
 use super::position::Position;
 use super::run_block;
-use super::state::State;
+use super::state::{Motion, State};
 use super::walk::{Fate, Walk};
 use crate::Tape;
+use crate::format::Standard;
 use crate::read::{Block, Word};
 use crate::span::Span;
 use std::ops::Range;
@@ -113,6 +114,32 @@ impl<'a> Follow<'a> {
     /// How long the last block dwells, in seconds.
     pub(crate) fn dwell(&self) -> Option<f64> {
         self.state.pause.and_then(|pause| pause.seconds)
+    }
+
+    /// What the word of a dwell counts, in the unit of the dwell.
+    pub(crate) fn counted(&self) -> Option<f64> {
+        self.state.pause.and_then(|pause| pause.counted)
+    }
+
+    /// Revolutions per minute of the spindle, where they are known.
+    pub(crate) fn speed(&self) -> Option<f64> {
+        self.state.speed.filter(|speed| *speed > 0.0)
+    }
+
+    /// The interpolation in force is positioning.
+    pub(crate) fn is_rapid(&self) -> bool {
+        let positions = self.tape.standard() == Standard::Iso1058;
+        self.state.motion.map_or(positions, |motion| motion == Motion::Rapid)
+    }
+
+    /// How the dimension words of an axis are read.
+    pub(crate) fn is_incremental(&self, axis: usize) -> bool {
+        self.state.is_incremental(axis)
+    }
+
+    /// The leads along X, Y and Z of a thread, in the unit of the format.
+    pub(crate) fn leads(&self) -> [f64; 3] {
+        self.state.leads_in_force().unwrap_or([0.0; 3])
     }
 
     /// The last block is a thread.

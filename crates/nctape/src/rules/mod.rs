@@ -196,6 +196,7 @@ pub static ALL: &[&Rule] = &[
     &conversion::curve_as_chords::RULE,
     &conversion::does_not_fit::RULE,
     &conversion::rounded::RULE,
+    &conversion::other_set_point::RULE,
     &row::parity::RULE,
     &row::unknown::RULE,
     &row::blank::RULE,

@@ -142,6 +142,13 @@ impl<'a> Coding<'a> {
         }
     }
 
+    /// The highest code, where it is rapid traverse.
+    pub fn rapid(&self) -> Option<Code> {
+        let highest =
+            10_i64.checked_pow(u32::from(self.digits)).map(|above| Code { number: above - 1, digits: self.digits });
+        highest.filter(|code| self.feed && self.decode(*code) == Ok(Speed::Rapid))
+    }
+
     /// The code of a speed; of the reciprocal of time, that of a rate per minute.
     pub fn encode(&self, speed: f64) -> Result<Code, NoCode> {
         if !(speed.is_finite() && speed >= 0.0) {

@@ -4,13 +4,18 @@
 //! I, J and K, codings of feed and speed. What it is given comes from decimal G-code, from another tape, or from
 //! elsewhere; what it cannot say is a [`Fault`], which the giver locates in its own source.
 
+mod block;
+mod curve;
+mod feed;
 mod motion;
 mod word;
 
-pub(crate) use motion::{Course, Move, Pace};
+pub(crate) use feed::Pace;
+pub(crate) use motion::{Course, Move};
 
-use crate::format::{Control, Plane, System};
-use crate::speed::{Coding, NoCode};
+use crate::format::{Control, Plane};
+use crate::speed::NoCode;
+use block::Last;
 
 /// Why something cannot be said in a format.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +34,8 @@ pub(crate) enum Fault {
     NoContouring,
     /// The third axis moves in an arc, and the format has no helix.
     Helix,
+    /// The format declares no code for a cubic.
+    NoCubic,
 }
 
 /// Writes blocks of a format.
@@ -41,12 +48,24 @@ pub(crate) struct TapeWriter<'a> {
     blocks: i64,
     /// Comments for the next block.
     remarks: String,
+    /// Words for the next block.
+    held: Vec<(char, String)>,
+    /// The next block is one at which a machine may begin: its sequence number has the alignment character.
+    align: bool,
+    /// A preparatory function that acts in the block of the next motion alone.
+    once: Option<u8>,
+    /// The block written last.
+    last: Option<Last>,
     /// What the next blocks have before them: the optional block skip character.
     pub skip: bool,
     /// What is in force, as far as no block that may be skipped has said it.
     modal: Modal,
+    /// A block has said what kind a feed is (G94, G95).
+    changes_feed_kind: bool,
     /// The greatest difference between a number given and the one written, in least input increments.
     pub rounding: f64,
+    /// The greatest share by which a feed or a speed differs from the one given.
+    pub speed_rounding: f64,
     /// Sequence numbers have begun anew.
     pub wrapped: bool,
 }
@@ -56,6 +75,8 @@ struct Modal {
     motion: Option<u8>,
     plane: Option<Plane>,
     feed: Option<String>,
+    /// G94 or G95, where it is not the kind of feed that the format itself has.
+    feed_kind: Option<u8>,
 }
 
 impl<'a> TapeWriter<'a> {
@@ -67,9 +88,15 @@ impl<'a> TapeWriter<'a> {
             at: control.set_point.clone(),
             blocks: 0,
             remarks: String::new(),
+            held: Vec::new(),
+            align: false,
+            once: None,
+            last: None,
             skip: false,
-            modal: Modal { plane: Some(control.plane), ..Modal::default() },
+            modal: Modal::start(control),
+            changes_feed_kind: false,
             rounding: 0.0,
+            speed_rounding: 0.0,
             wrapped: false,
         }
     }
@@ -81,7 +108,30 @@ impl<'a> TapeWriter<'a> {
 
     /// What has been said may have been skipped: all of it is to be said again.
     pub(crate) fn forget(&mut self) {
-        self.modal = Modal::default();
+        let kind = self.control.own_feed_kind();
+        self.modal = Modal { feed_kind: (!self.changes_feed_kind).then_some(kind), ..Modal::default() };
+    }
+
+    /// Where the tool stands before the first block, axis by axis in the unit of the format; what a format lacks of it
+    /// stays where the format has it.
+    pub(crate) fn stand(&mut self, at: &[Option<f64>]) -> Result<(), Fault> {
+        self.at = self.rounded(at)?;
+        Ok(())
+    }
+
+    /// Begins another program: what was in force is so no more, and the tool stands where it is.
+    pub(crate) fn program(&mut self, number: &str) {
+        self.finish();
+        self.text.push('%');
+        self.text.push_str(number);
+        self.text.push('\n');
+        self.modal = Modal::start(self.control);
+        self.last = None;
+    }
+
+    /// The number of the program that begins the tape.
+    pub(crate) fn first_program(&mut self, number: &str) {
+        self.text.insert_str(1, number);
     }
 
     /// A comment, which stands at the end of the next block. What the code of the tape lacks, or forbids in a comment, is
@@ -100,6 +150,28 @@ impl<'a> TapeWriter<'a> {
     pub(crate) fn function(&mut self, address: char, code: u8) -> Result<(), Fault> {
         let word = self.code_word(address, i64::from(code))?;
         self.block(vec![(address, word)]);
+        Ok(())
+    }
+
+    /// The next motion has this preparatory function in its block, where it acts alone (G08, G09).
+    pub(crate) fn once(&mut self, code: u8) -> Result<(), Fault> {
+        self.code_word('G', i64::from(code))?;
+        self.once = Some(code);
+        Ok(())
+    }
+
+    /// Loads the registers of axes with numbers in the unit of the format (G92): no tool moves.
+    pub(crate) fn preload(&mut self, at: &[Option<f64>]) -> Result<(), Fault> {
+        let to = self.rounded(at)?;
+        let mut words = vec![('G', self.code_word('G', 92)?)];
+        for (axis, value) in at.iter().enumerate().take(to.len()) {
+            if value.is_some() && self.control.axes[axis].sign.is_some() {
+                let letter = self.control.axes[axis].letter;
+                words.push((letter, self.dimension_word(letter, to[axis])?));
+            }
+        }
+        self.block(words);
+        self.at = to;
         Ok(())
     }
 
@@ -131,49 +203,10 @@ impl<'a> TapeWriter<'a> {
         self.block(vec![('G', preparatory), (dwell.address, word)]);
         Ok(())
     }
+}
 
-    /// Writes a block of words, at most one of each address, in the order of the detail.
-    fn block(&mut self, mut words: Vec<(char, String)>) {
-        self.blocks += 1;
-        if let Some(designation) = self.control.designation(b'N') {
-            let most = 10_i64.pow(u32::from(designation.width().clamp(1, 18))) - 1;
-            self.wrapped |= self.blocks > most;
-            let number = (self.blocks - 1) % most + 1;
-            words.push(('N', format!("{number:0width$}", width = usize::from(designation.width()))));
-        }
-        if self.skip {
-            self.text.push('/');
-        }
-        let columns = self.control.system == System::Tab;
-        let (mut tabs, mut first) = (0, true);
-        for designation in &self.control.detail.words {
-            tabs += usize::from(designation.tab);
-            let Some(place) = words.iter().position(|(address, _)| *address == designation.address) else { continue };
-            let (address, word) = words.swap_remove(place);
-            if tabs > 0 {
-                self.text.extend(std::iter::repeat_n('\t', tabs));
-            } else if !first {
-                self.text.push(' ');
-            }
-            (tabs, first) = (0, false);
-            if !columns {
-                let lower = self.control.standard() == crate::Standard::Rs274;
-                self.text.push(if lower { address.to_ascii_lowercase() } else { address });
-            }
-            self.text.push_str(&word);
-        }
-        self.text.push_str(&std::mem::take(&mut self.remarks));
-        self.text.push('\n');
-    }
-
-    /// The word of a feed or a speed; `sweep` is that of an arc, in radians.
-    fn speed_word(&self, address: char, value: f64, sweep: Option<f64>) -> Result<String, Fault> {
-        let letter = address as u8;
-        if self.control.designation(letter).is_none() {
-            return Err(Fault::NoWord(address));
-        }
-        let value = if letter == b'F' { motion::rate(self.control, value, sweep) } else { value };
-        let code = Coding::of(self.control, letter).encode(value);
-        code.map(|code| code.to_string()).map_err(|why| Fault::Speed { address, value, why })
+impl Modal {
+    fn start(control: &Control) -> Modal {
+        Modal { plane: Some(control.plane), feed_kind: Some(control.own_feed_kind()), ..Modal::default() }
     }
 }

@@ -1,11 +1,9 @@
 //! Motions as blocks of a format.
 
+use super::feed::Pace;
 use super::{Fault, TapeWriter};
-use crate::format::{
-    ArcCentre, ArcFeed, ArcParameters, Control, Dimensions, FeedCoding, FeedUnit, ParabolaParameters, Plane, Sign,
-    Standard,
-};
-use std::f64::consts::{FRAC_PI_2, PI};
+use crate::format::{ArcCentre, ArcParameters, Dimensions, Plane, Sign, Standard, power_of_ten};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// A motion.
 #[derive(Clone, Debug)]
@@ -24,28 +22,14 @@ pub(crate) enum Course {
     Rapid,
     /// Straight.
     Line,
+    /// Straight, with so much along X, Y and Z at every revolution of the spindle: G33, or G34 and G35.
+    Thread { code: u8, leads: [f64; 3] },
     /// About a centre, first and second axis of the plane, by an angle in radians, counter-clockwise positive.
     Arc { plane: Plane, centre: [f64; 2], sweep: f64 },
     /// A parabola by the point where its tangents meet.
     Parabola { tangent: [f64; 3] },
-}
-
-/// How fast a motion is.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Pace {
-    /// Unit per minute along the path, beside the minutes that the motion takes.
-    PerMinute { feed: f64, minutes: f64 },
-    /// Unit per revolution of the spindle.
-    PerRevolution(f64),
-}
-
-/// The number that a time-reciprocal F says of a motion that takes so many minutes; any other feed is itself.
-pub(super) fn rate(control: &Control, value: f64, sweep: Option<f64>) -> f64 {
-    match (control.feed, sweep, control.arc_feed) {
-        (FeedCoding::TimeReciprocal, Some(sweep), ArcFeed::Radians) => sweep.abs() / value,
-        (FeedCoding::TimeReciprocal, ..) => 1.0 / value,
-        _ => value,
-    }
+    /// A cubic by its control points.
+    Cubic { control: [[f64; 3]; 2] },
 }
 
 impl TapeWriter<'_> {
@@ -55,18 +39,27 @@ impl TapeWriter<'_> {
         match motion.course {
             Course::Rapid => self.straight(0, &end, motion, None),
             Course::Line => self.straight(1, &end, motion, None),
-            Course::Arc { .. } | Course::Parabola { .. } if self.control.standard() == Standard::Iso1058 => {
+            Course::Thread { code, leads } => self.thread(code, leads, &end, motion),
+            Course::Arc { .. } | Course::Parabola { .. } | Course::Cubic { .. }
+                if self.control.standard() == Standard::Iso1058 =>
+            {
                 Err(Fault::NoContouring)
             }
             Course::Arc { plane, centre, sweep } => self.arc(plane, centre, sweep, &end, motion),
             Course::Parabola { tangent } => self.parabola(tangent, &end, motion),
+            Course::Cubic { control } => self.cubic(control, &end, motion),
         }
     }
 
     /// Where the motion ends, in least input increments.
     fn target(&mut self, motion: &Move) -> Result<Vec<i64>, Fault> {
+        self.rounded(&motion.end)
+    }
+
+    /// A position in least input increments; an axis that is not given stands where it is.
+    pub(super) fn rounded(&mut self, at: &[Option<f64>]) -> Result<Vec<i64>, Fault> {
         let mut end = self.at.clone();
-        for (axis, value) in motion.end.iter().enumerate().take(end.len()) {
+        for (axis, value) in at.iter().enumerate().take(end.len()) {
             let Some(value) = *value else { continue };
             let (letter, decimals) = (self.control.axes[axis].letter, self.control.axes[axis].decimals);
             if self.control.axes[axis].sign.is_none() {
@@ -81,7 +74,7 @@ impl TapeWriter<'_> {
         Ok(end)
     }
 
-    fn is_incremental(&self, axis: usize) -> bool {
+    pub(crate) fn is_incremental(&self, axis: usize) -> bool {
         let chosen = self.control.dimensions == Dimensions::Incremental;
         match self.control.axes[axis].sign {
             _ if self.control.standard() == Standard::Rs274 => chosen,
@@ -92,7 +85,7 @@ impl TapeWriter<'_> {
     }
 
     /// Dimension words of the axes that move or are named.
-    fn dimensions(&self, end: &[i64], motion: &Move) -> Result<Vec<(char, String)>, Fault> {
+    pub(super) fn dimensions(&self, end: &[i64], motion: &Move) -> Result<Vec<(char, String)>, Fault> {
         let named = |axis: usize| motion.end.get(axis).is_some_and(Option::is_some);
         let mut words = Vec::new();
         for (axis, &to) in end.iter().enumerate() {
@@ -108,31 +101,27 @@ impl TapeWriter<'_> {
     }
 
     /// The code of the interpolation, where another is in force.
-    fn interpolation(&mut self, code: u8) -> Result<Option<(char, String)>, Fault> {
-        if self.modal.motion == Some(code) {
+    pub(super) fn interpolation(&mut self, code: u8) -> Result<Option<(char, String)>, Fault> {
+        // A format without G has the interpolation that its standard begins with.
+        let standing = if self.control.standard() == Standard::Iso1058 { 0 } else { 1 };
+        if self.designation('G').is_err() && code == standing {
             return Ok(None);
         }
         let word = self.code_word('G', i64::from(code))?;
-        self.modal.motion = Some(code);
-        Ok(Some(('G', word)))
-    }
-
-    /// The F word of a cut, where another is in force. `share`: how much of the motion the block is.
-    fn feed(&mut self, motion: &Move, share: f64, sweep: Option<f64>) -> Result<Option<(char, String)>, Fault> {
-        let reciprocal = self.control.feed == FeedCoding::TimeReciprocal;
-        let value = match (motion.pace.ok_or(Fault::NoFeed)?, self.control.feed_unit) {
-            (Pace::PerMinute { minutes, .. }, _) if reciprocal => minutes * share,
-            (Pace::PerMinute { feed, .. }, FeedUnit::PerMinute) => feed,
-            (Pace::PerRevolution(feed), FeedUnit::PerRevolution) if !reciprocal => feed,
-            _ => return Err(Fault::NoFeed),
-        };
-        let word = self.speed_word('F', value, sweep)?;
-        // Every block of a time-reciprocal feed has its own.
-        if !reciprocal && self.modal.feed.as_ref() == Some(&word) {
-            return Ok(None);
+        let once = self.once.take();
+        if self.modal.motion == Some(code) {
+            return once.map(|once| Ok(('G', self.code_word('G', once.into())?))).transpose();
         }
-        self.modal.feed = Some(word.clone());
-        Ok(Some(('F', word)))
+        self.modal.motion = Some(code);
+        match once {
+            // A block has one G: the interpolation stands before it in one of its own.
+            Some(once) => {
+                let once = self.code_word('G', i64::from(once))?;
+                self.separate(('G', word));
+                Ok(Some(('G', once)))
+            }
+            None => Ok(Some(('G', word))),
+        }
     }
 
     fn straight(&mut self, code: u8, end: &[i64], motion: &Move, share: Option<f64>) -> Result<(), Fault> {
@@ -149,10 +138,35 @@ impl TapeWriter<'_> {
         Ok(())
     }
 
+    fn thread(&mut self, code: u8, leads: [f64; 3], end: &[i64], motion: &Move) -> Result<(), Fault> {
+        let mut words = self.dimensions(end, motion)?;
+        if words.is_empty() {
+            return Ok(());
+        }
+        for (letter, lead) in ['I', 'J', 'K'].into_iter().zip(leads).filter(|(_, lead)| *lead != 0.0) {
+            words.push((letter, self.plain_word(letter, lead)?));
+        }
+        // Without leads it is F that says the lead.
+        if leads == [0.0; 3] {
+            words.extend(self.feed(motion, 1.0, None)?);
+        }
+        words.extend(self.interpolation(code)?);
+        self.block(words);
+        self.at.copy_from_slice(end);
+        Ok(())
+    }
+
     fn arc(&mut self, plane: Plane, centre: [f64; 2], sweep: f64, end: &[i64], motion: &Move) -> Result<(), Fault> {
         let [first, second, third] = plane.axes();
         if end[third] != self.at[third] && !self.control.helix {
             return Err(Fault::Helix);
+        }
+        // An arc that is no longer than rounding may turn it about is as well a straight cut.
+        let turn = |axis: usize| 1.0 / power_of_ten(self.control.axes[axis].decimals) as f64;
+        let least = 2.0 * turn(first).max(turn(second));
+        let reach = libm::hypot(self.position(first) - centre[0], self.position(second) - centre[1]);
+        if sweep.abs() * reach <= least {
+            return self.straight(1, end, motion, None);
         }
         self.turn(plane)?;
         let by_centre = self.control.arc_parameters == ArcParameters::Centre
@@ -173,6 +187,14 @@ impl TapeWriter<'_> {
             cuts.sort_by(f64::total_cmp);
         } else if !by_centre && sweep.abs() > PI {
             cuts.push(0.5);
+        } else if by_centre {
+            let closed = end[first] == self.at[first] && end[second] == self.at[second];
+            // A control without full circles; ends so near to one another that rounding may swap them; and a spiral of
+            // more than half a turn, of which no one circle is near.
+            let refused = closed && self.control.format.itemized.full_circle == Some(false);
+            let nearly = !closed && (TAU - sweep.abs()) * radius <= least;
+            let spiral = sweep.abs() > PI && (radius - end_radius).abs() > least / 2.0;
+            cuts.extend((refused || nearly || spiral).then_some(0.5));
         }
         cuts.push(1.0);
         let third_start = self.at[third];
@@ -204,7 +226,7 @@ impl TapeWriter<'_> {
     }
 
     /// Puts a point of a plane into a position.
-    fn place(&mut self, position: &mut [i64], axes: [usize; 2], point: [f64; 2]) -> Result<(), Fault> {
+    pub(super) fn place(&mut self, position: &mut [i64], axes: [usize; 2], point: [f64; 2]) -> Result<(), Fault> {
         let kept = self.rounding;
         for (axis, value) in axes.into_iter().zip(point) {
             let (letter, decimals) = (self.control.axes[axis].letter, self.control.axes[axis].decimals);
@@ -223,6 +245,7 @@ impl TapeWriter<'_> {
         motion: &Move,
         part: Part,
     ) -> Result<(), Fault> {
+        let centre = self.fitted(axes, centre, end);
         let mut words = self.dimensions(end, motion)?;
         for (axis, centre) in axes.into_iter().zip(centre) {
             words.push(self.parameter(axis, centre)?);
@@ -235,8 +258,27 @@ impl TapeWriter<'_> {
         Ok(())
     }
 
+    /// A centre that is as far from the start as from the end. One that comes from a coarser tape may differ by more than
+    /// this format allows: it goes along the chord to where both are equal. Over half a turn at most the circle is then no
+    /// further off than half of that difference.
+    fn fitted(&self, axes: [usize; 2], centre: [f64; 2], end: &[i64]) -> [f64; 2] {
+        let from = axes.map(|axis| self.position(axis));
+        let to = axes.map(|axis| crate::execute::in_unit(&self.control.axes[axis], end[axis]));
+        let radius = |at: [f64; 2]| libm::hypot(at[0] - centre[0], at[1] - centre[1]);
+        let chord = [to[0] - from[0], to[1] - from[1]];
+        let length = libm::hypot(chord[0], chord[1]);
+        let (start, stop) = (radius(from), radius(to));
+        let step = 1.0 / power_of_ten(self.control.axes[axes[0]].decimals) as f64;
+        if length == 0.0 || (start - stop).abs() <= step {
+            return centre;
+        }
+        // |C - A| = |C - B| with C on the line through the centre along the chord.
+        let way = (stop - start) * (stop + start) / (2.0 * length) / length;
+        [centre[0] + way * chord[0], centre[1] + way * chord[1]]
+    }
+
     /// I, J or K for a coordinate of a point, by the reading of the format.
-    fn parameter(&mut self, axis: usize, value: f64) -> Result<(char, String), Fault> {
+    pub(super) fn parameter(&mut self, axis: usize, value: f64) -> Result<(char, String), Fault> {
         let letter = ['I', 'J', 'K'][axis];
         let places = self.designation(letter)?.after;
         let start = self.position(axis);
@@ -251,50 +293,6 @@ impl TapeWriter<'_> {
         let number = (number * 1e9).round() / 1e9;
         let number = self.increments(number, places, letter)?;
         Ok((letter, self.dimension_word(letter, number)?))
-    }
-
-    fn parabola(&mut self, tangent: [f64; 3], end: &[i64], motion: &Move) -> Result<(), Fault> {
-        let start: [f64; 3] = std::array::from_fn(|axis| self.position(axis));
-        let to: [f64; 3] = std::array::from_fn(|axis| crate::execute::in_unit(&self.control.axes[axis], end[axis]));
-        let used: Vec<usize> = (0..3).filter(|&axis| tangent[axis] != start[axis] || to[axis] != start[axis]).collect();
-        let letters = used.iter().all(|&axis| self.designation(['I', 'J', 'K'][axis]).is_ok());
-        if letters
-            && self.control.parabola_parameters == ParabolaParameters::Tangent
-            && self.control.arc_centre != ArcCentre::Quadrant
-        {
-            let mut words = self.dimensions(end, motion)?;
-            for &axis in &used {
-                words.push(self.parameter(axis, tangent[axis])?);
-            }
-            words.extend(self.feed(motion, 1.0, None)?);
-            words.extend(self.interpolation(6)?);
-            self.block(words);
-            self.at.copy_from_slice(end);
-            return Ok(());
-        }
-        // By its point opposite the middle of the chord, which is halfway to where the tangents meet.
-        let mut middle = end.to_vec();
-        let kept = self.rounding;
-        for axis in used {
-            let (letter, decimals) = (self.control.axes[axis].letter, self.control.axes[axis].decimals);
-            let at = (start[axis] + 2.0 * tangent[axis] + to[axis]) / 4.0;
-            middle[axis] = self.increments(at, decimals, letter)?;
-        }
-        self.rounding = kept;
-        self.two_blocks(6, &middle, end, motion, Part { share: 1.0, sweep: 0.0 })
-    }
-
-    /// A span by an intermediate point and its end. The F of the last block is that of the span.
-    fn two_blocks(&mut self, code: u8, middle: &[i64], end: &[i64], motion: &Move, part: Part) -> Result<(), Fault> {
-        let sweep = (code != 6).then_some(part.sweep);
-        for point in [middle, end] {
-            let mut words = self.dimensions(point, motion)?;
-            words.extend(self.feed(motion, part.share, sweep)?);
-            words.extend(self.interpolation(code)?);
-            self.block(words);
-            self.at.copy_from_slice(point);
-        }
-        Ok(())
     }
 
     /// Turns to another plane, in a block of its own: a block has one G.
@@ -315,7 +313,7 @@ impl TapeWriter<'_> {
 
 /// A piece of an arc: how much of it, and its angle.
 #[derive(Clone, Copy)]
-struct Part {
-    share: f64,
-    sweep: f64,
+pub(super) struct Part {
+    pub share: f64,
+    pub sweep: f64,
 }

@@ -5,7 +5,7 @@ use crate::format::{Designation, Sign, power_of_ten};
 
 impl TapeWriter<'_> {
     /// A whole number without sign: a function, a tool.
-    pub(super) fn code_word(&self, address: char, number: i64) -> Result<String, Fault> {
+    pub(crate) fn code_word(&self, address: char, number: i64) -> Result<String, Fault> {
         let designation = self.designation(address)?;
         let value = number as f64;
         if number < 0 {
@@ -15,7 +15,7 @@ impl TapeWriter<'_> {
     }
 
     /// A number in the unit of its word, with its sign where it has one.
-    pub(super) fn plain_word(&mut self, address: char, value: f64) -> Result<String, Fault> {
+    pub(crate) fn plain_word(&mut self, address: char, value: f64) -> Result<String, Fault> {
         let places = self.designation(address)?.after;
         let number = self.increments(value, places, address)?;
         self.dimension_word(address, number)

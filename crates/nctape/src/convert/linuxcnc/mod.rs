@@ -13,12 +13,12 @@ mod words;
 pub(crate) use words::comment_lines;
 
 use super::Converted;
+use super::comments::comments;
 use super::output::Output;
 use crate::execute::{self, Follow, Followed as Step};
 use crate::format::Plane;
 use crate::read::Word;
 use crate::tape::Tape;
-use crate::text::Listing;
 use findings::{Findings, LeftOut};
 use functions::Fate;
 use motion::Refusal;
@@ -364,25 +364,4 @@ impl<'a> Writer<'a> {
 
 fn is_dwell(step: &Step<'_>) -> bool {
     step.words.iter().any(|word| word.function(b'G') == Some(4))
-}
-
-/// The comments of a stretch that begins outside one, without their parentheses.
-fn comments(text: &str, stretch: Range<usize>) -> Vec<String> {
-    let mut comments: Vec<String> = Vec::new();
-    if !text[stretch.clone()].contains('(') {
-        return comments;
-    }
-    let mut open = false;
-    for character in Listing::resume(text, stretch.start, false).take_while(|it| it.from < stretch.end) {
-        if character.comment {
-            if !std::mem::replace(&mut open, true) {
-                comments.push(String::new());
-            }
-            let written = &text[character.from..character.to];
-            comments.iter_mut().last().into_iter().for_each(|comment| comment.push_str(written));
-        } else {
-            open = false;
-        }
-    }
-    comments
 }

@@ -6,6 +6,7 @@ pub(crate) mod cut_without_feed;
 pub(crate) mod does_not_fit;
 pub(crate) mod end_as_stop;
 pub(crate) mod function_left_out;
+pub(crate) mod other_set_point;
 pub(crate) mod rounded;
 pub(crate) mod skip_is_fixed;
 pub(crate) mod span_not_converted;
