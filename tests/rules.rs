@@ -8,6 +8,8 @@
 //! A rule of the family CONV is about a conversion: its tapes are converted to decimal G-code, and its decimal G-code to
 //! a tape, and what that reports is looked at; that on set points has them written for another tape.
 //!
+//! CLDATA behind a format is posted, and what that reports is looked at: such are the pages of the family POST.
+//!
 //! A rule on CLDATA has ` ```cldata bad ` and ` ```cldata good `, read as a stream.
 //!
 //! `catalogue.csv` beside them lists every demand of the standards that was looked at, and what became of it.
@@ -20,6 +22,7 @@ mod page;
 use nctape::cldata::{Cldata, Options};
 use nctape::convert::{Dialect, convert, from_decimal, to_decimal};
 use nctape::format::{FormatDiagnostic, explain, explain_read};
+use nctape::post::postprocess;
 use nctape::rules::{ALL, Rule};
 use nctape::{Diagnostic, Format, Language, Severity, Standard, Tape};
 use page::{CldataExample, FormatExample, Page, TapeExample};
@@ -34,7 +37,7 @@ macro_rules! families {
 
 families! {
     tape: "TAPE", control: "CTRL", skip: "SKIP", sequence: "SEQ", word: "WORD", tab: "TAB", number: "NUM",
-    function: "FUN", motion: "MOT", feed: "FEED", compensation: "COMP", conversion: "CONV", format: "SPEC",
+    function: "FUN", motion: "MOT", feed: "FEED", compensation: "COMP", conversion: "CONV", posting: "POST", format: "SPEC",
     cldata: "CLD",
 }
 
@@ -168,7 +171,7 @@ impl TapeExample {
 fn check_tape(rule: &'static Rule, example: &TapeExample, under: &FormatExample) -> Vec<String> {
     let mut faults: Vec<String> =
         judge(under).iter().filter(|found| weighs(&found.diagnostic)).map(told_of_format).collect();
-    let all = found_in(rule, &example.text, &under.format);
+    let all = found_in(rule, example.cldata, &example.text, &under.format);
     let (own, others): (Vec<_>, Vec<_>) = all.iter().partition(|found| found.rule.name == rule.name);
     faults.extend(others.iter().filter(|found| weighs(found)).map(|found| told(found, &example.text)));
     if !example.bad || own.len() != example.marks.len() {
@@ -203,7 +206,7 @@ fn check_tape(rule: &'static Rule, example: &TapeExample, under: &FormatExample)
             let weight = |found: &[Diagnostic]| -> usize {
                 found.iter().filter(|found| found.rule.name == rule.name).map(|found| found.count).sum()
             };
-            let after = found_in(rule, &text, &format);
+            let after = found_in(rule, example.cldata, &text, &format);
             let new = after.iter().filter(|found| weighs(found) && found.rule.name != rule.name);
             if weight(&after) >= weight(&all) {
                 faults.push(format!("the fix {:?} does not remove the finding; it gives {text:?}", fix.title));
@@ -215,8 +218,11 @@ fn check_tape(rule: &'static Rule, example: &TapeExample, under: &FormatExample)
 }
 
 /// What is found in a tape: by checking it, or by converting it where the rule is of that; from decimal G-code, where
-/// that is what the text is.
-fn found_in(rule: &Rule, text: &str, format: &Format) -> Vec<Diagnostic> {
+/// that is what the text is; CLDATA by posting it.
+fn found_in(rule: &Rule, cldata: bool, text: &str, format: &Format) -> Vec<Diagnostic> {
+    if cldata {
+        return postprocess(text, format).diagnostics;
+    }
     let found = Tape::new(text, format).diagnostics();
     match rule.family() {
         // Another control whose format differs in nothing but where the tool stands.

@@ -29,7 +29,7 @@ pub struct CldataExample {
     pub marks: Vec<Mark>,
 }
 
-/// A tape in a fence ` ```tape bad ` or ` ```tape good `.
+/// A tape in a fence ` ```tape bad ` or ` ```tape good `, or CLDATA behind a format, which is posted.
 pub struct TapeExample {
     /// The line of the page on which its fence begins.
     pub line: usize,
@@ -39,6 +39,8 @@ pub struct TapeExample {
     pub marks: Vec<Mark>,
     /// It shows the fault.
     pub bad: bool,
+    /// It is CLDATA.
+    pub cldata: bool,
     /// The formats of its group.
     pub formats: Vec<FormatExample>,
 }
@@ -92,7 +94,13 @@ impl Page {
                     if marks.is_empty() == (fence.info == "cldata bad") {
                         return Err(format!("line {line}: a bad example has a caret line, a good one has none"));
                     }
-                    page.cldata.push(CldataExample { line, text, marks });
+                    if group.is_empty() {
+                        page.cldata.push(CldataExample { line, text, marks });
+                    } else {
+                        group_is_used = true;
+                        let (bad, formats) = (!marks.is_empty(), group.clone());
+                        page.tapes.push(TapeExample { line, text, marks, bad, cldata: true, formats });
+                    }
                 }
                 "tape good" | "tape bad" | "tape bad open" => {
                     group_is_used = true;
@@ -107,7 +115,7 @@ impl Page {
                     if group.is_empty() {
                         return Err(format!("line {line}: no format stands before this tape"));
                     }
-                    page.tapes.push(TapeExample { line, text, marks, bad, formats: group.clone() });
+                    page.tapes.push(TapeExample { line, text, marks, bad, cldata: false, formats: group.clone() });
                 }
                 info => match info.strip_prefix("json bad ").and_then(|fault| fault.split_once(' ')) {
                     Some((path, quoted)) => {

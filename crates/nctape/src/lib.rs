@@ -61,6 +61,8 @@ mod write;
 
 pub mod convert;
 
+pub mod post;
+
 mod suggest;
 
 pub mod offset;

@@ -4,12 +4,13 @@ use super::element::{Element, ElementKind};
 use super::event::{Event, Uninterpreted};
 use super::execution::{Per, State};
 use super::record::Record;
+use super::step::Act;
 use super::words::{Dialect, Key, Part, decode};
 use crate::format::Unit;
 
 /// What stands behind the word of a command.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Argument {
+pub(crate) enum Argument {
     Number(f64),
     Word(Key),
     Other,
@@ -107,7 +108,11 @@ impl State<'_> {
     }
 
     pub(super) fn command(&mut self, index: usize, record: &Record) {
-        let Some((word, arguments)) = self.words(index, record) else { return };
+        let Some((word, arguments)) = self.words(index, record) else {
+            self.keep(index, |_| Act::Unread);
+            return;
+        };
+        self.keep(index, |_| Act::Command { word, arguments: arguments.clone() });
         let has = |key: Key| arguments.contains(&Argument::Word(key));
         match word {
             RAPID => {

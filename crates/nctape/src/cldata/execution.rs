@@ -3,6 +3,7 @@
 use super::element::Element;
 use super::event::{Event, Noted, Uninterpreted};
 use super::record::{Record, Tables};
+use super::step::{Act, Step};
 use super::words::{Dialect, Key};
 use crate::format::Unit;
 use crate::span::Spans;
@@ -19,11 +20,15 @@ pub(crate) struct Execution {
     pub kept: Vec<u32>,
     /// What a file has said before some of its records, so that what holds at any record is soon found.
     pub(super) marks: Vec<(usize, File)>,
+    /// Nothing where no steps are wanted.
+    pub steps: Vec<Step>,
+    /// The greatest tolerance that is stated, in the unit of the report.
+    pub tolerance: f64,
 }
 
 /// What a feed is said per.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Per {
+pub(crate) enum Per {
     Minute,
     Revolution,
     /// Something of which the path says nothing: a tooth, the reciprocal of time.
@@ -123,6 +128,10 @@ pub(super) struct State<'a> {
     pub told: Vec<Uninterpreted>,
     pub ends: Vec<u32>,
     pub kept: Vec<u32>,
+    /// Steps are wanted.
+    pub keeps: bool,
+    pub steps: Vec<Step>,
+    pub tolerance: f64,
 }
 
 /// So many records lie between two marks: what holds at a record is found by carrying out as many at most, which takes
@@ -140,9 +149,9 @@ pub(super) fn millimetres(code: i64) -> Option<f64> {
     }
 }
 
-/// Carries out all files of a text.
-pub(crate) fn execute(tables: &Tables, dialect: Option<Dialect>) -> Execution {
-    let mut state = State::new(tables, dialect);
+/// Carries out all files of a text; keeps every step where that is wanted.
+pub(crate) fn execute(tables: &Tables, dialect: Option<Dialect>, keeps: bool) -> Execution {
+    let mut state = State { keeps, ..State::new(tables, dialect) };
     let mut marks = Vec::new();
     let first_unit = tables.records.iter().enumerate().find_map(|(index, _)| state.unit_code(index));
     let is_inch = matches!(first_unit, Some(3 | 4));
@@ -161,8 +170,8 @@ pub(crate) fn execute(tables: &Tables, dialect: Option<Dialect>) -> Execution {
         }
         state.end_file(records.end - 1);
     }
-    let State { spans, events, unit, ends, kept, .. } = state;
-    Execution { spans, events, unit, ends, kept, marks }
+    let State { spans, events, unit, ends, kept, steps, tolerance, .. } = state;
+    Execution { spans, events, unit, ends, kept, marks, steps, tolerance }
 }
 
 impl Execution {
@@ -190,6 +199,9 @@ impl<'a> State<'a> {
             told: Vec::new(),
             ends: Vec::new(),
             kept: Vec::new(),
+            keeps: false,
+            steps: Vec::new(),
+            tolerance: 0.0,
         }
     }
 }
@@ -238,8 +250,10 @@ impl State<'_> {
             3000 => self.surface(index, record),
             5000 => self.position(index, record),
             6000 => self.information(record),
-            9000 => self.parameter(record),
-            _ => {}
+            9000 => self.parameter(index, record),
+            // What they say of the tape is not public (15000, 21000), or not known at all.
+            1000 | 4000 | 7000 | 8000 | 14000 | 16000 | 28000..=32000 => {}
+            _ => self.keep(index, |_| Act::Unread),
         }
         if let Some(code) = self.unit_code(index) {
             self.set_unit(code, index);
@@ -267,20 +281,28 @@ impl State<'_> {
             Some(3..=5) => {
                 let stated = elements[3..].iter().filter_map(Element::value).fold(0.0, f64::max) * self.file.scale;
                 self.file.tolerance = self.file.tolerance.max(stated);
+                self.tolerance = self.tolerance.max(stated);
             }
             Some(6) => self.file.cutter = value(3).map(|diameter| diameter * self.file.scale),
             _ => {}
         }
     }
 
-    /// 9000,2: whether points have a tool axis.
-    fn parameter(&mut self, record: &Record) {
+    /// 9000,2: whether points have a tool axis; 9000,10: the axis of those that have none.
+    fn parameter(&mut self, index: usize, record: &Record) {
         let elements = self.tables.of(record);
         if elements.get(2).and_then(Element::whole) == Some(2) {
             match elements.get(3).and_then(Element::whole) {
                 Some(0) => self.file.point_size = 3,
                 Some(1) => self.file.point_size = 6,
                 _ => {}
+            }
+        }
+        if elements.get(2).and_then(Element::whole) == Some(10) {
+            let value = |place: usize| elements.get(place).and_then(Element::value);
+            match (value(3), value(4), value(5)) {
+                (Some(i), Some(j), Some(k)) => self.keep(index, |_| Act::ToolAxis([i, j, k])),
+                _ => self.keep(index, |_| Act::Unread),
             }
         }
     }

@@ -17,7 +17,7 @@
 pub mod apt;
 mod characters;
 mod circle;
-mod command;
+pub(crate) mod command;
 mod element;
 pub(crate) mod event;
 pub(crate) mod execution;
@@ -31,6 +31,7 @@ pub(crate) mod record;
 mod says;
 mod scan;
 mod shape;
+pub(crate) mod step;
 mod stream;
 mod word_table;
 mod words;
@@ -50,6 +51,7 @@ use execution::{Execution, execute};
 use record::Tables;
 use std::borrow::Cow;
 use std::ops::Range;
+use step::Step;
 use stream::Stream;
 
 /// How a text is to be read.
@@ -91,6 +93,15 @@ pub struct Statement<'a> {
 impl Cldata {
     /// Reads, executes and checks a text.
     pub fn new(text: &str, options: &Options) -> Cldata {
+        Cldata::read(text, options, false)
+    }
+
+    /// The same, with every step kept: see [`Cldata::steps`].
+    pub(crate) fn with_steps(text: &str, options: &Options) -> Cldata {
+        Cldata::read(text, options, true)
+    }
+
+    fn read(text: &str, options: &Options, keeps: bool) -> Cldata {
         let columns = options.columns.map(|columns| columns.clamp(1, 1000));
         let text = text.to_owned();
         let mut stream = match columns {
@@ -99,7 +110,7 @@ impl Cldata {
         };
         let foreign = crate::rules::source_of_apt(&text);
         let tables = if foreign.is_some() { Tables::default() } else { reader::read(&stream) };
-        let execution = execute(&tables, options.dialect);
+        let execution = execute(&tables, options.dialect, keeps);
         let view = CldataView { text: &stream.text, tables: &tables, execution: &execution };
         let mut diagnostics = check_cldata(&view, foreign);
         if let Some(columns) = columns {
@@ -179,6 +190,26 @@ impl Cldata {
             identification: elements.get(3).and_then(|element| self.literal(element)).unwrap_or_default(),
             text: elements.get(4).and_then(|element| self.literal(element)),
         })
+    }
+
+    /// What the records say one after the other; nothing where no steps were kept.
+    pub(crate) fn steps(&self) -> &[Step] {
+        &self.execution.steps
+    }
+
+    /// The records of each file.
+    pub(crate) fn file_records(&self) -> impl Iterator<Item = Range<usize>> {
+        self.tables.file_records()
+    }
+
+    /// The greatest tolerance that the text states (INTOL, OUTTOL), zero where it states none; in its unit.
+    pub(crate) fn tolerance(&self) -> f64 {
+        self.execution.tolerance
+    }
+
+    /// All elements of all records.
+    pub(crate) fn all_elements(&self) -> &[Element] {
+        &self.tables.elements
     }
 
     /// The path. The blocks of a span are records.

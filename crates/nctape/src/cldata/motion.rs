@@ -5,7 +5,8 @@ use super::element::Element;
 use super::event::Event;
 use super::execution::{Per, State};
 use super::record::Record;
-use crate::span::{Geometry, Offset, Span, SpanKind};
+use super::step::{Act, Motion};
+use crate::span::{Arc, Geometry, Offset, Span, SpanKind};
 
 /// The farthest place that is computed with, in the unit of the report: a thousand million of them. Far beyond any
 /// machine, and squares and sums of such lengths are far from the greatest number.
@@ -17,6 +18,8 @@ pub(super) struct Point {
     pub at: [f64; 3],
     pub record: usize,
     pub sound: bool,
+    /// It is where the tool really goes, and its tool axis is known where it should have one.
+    pub whole: bool,
     /// Its tool axis, where it has one.
     pub axis: Option<[f64; 3]>,
     /// Its first coordinate in the table of all elements.
@@ -32,14 +35,17 @@ impl State<'_> {
                 if let Some(last) = points.last() {
                     self.file.position = Some(last.at);
                     self.file.tool_axis = last.axis;
+                    self.keep(index, |_| Act::From);
                 }
             }
             Some(4) => {
-                if self.file.position.is_none() {
+                let is_unknown = self.file.position.is_none();
+                if is_unknown {
                     self.note(Event::UnknownStart { needed: true }, index, None);
                     self.file.position = Some([0.0; 3]);
                 }
-                let points = self.points(index, index, true);
+                let mut points = self.points(index, index, true);
+                points.iter_mut().for_each(|point| point.whole &= !is_unknown);
                 self.travel(index, index, &points);
             }
             Some(5) => {
@@ -111,8 +117,9 @@ impl State<'_> {
                     _ => None,
                 };
                 let axis = axis.map(|((i, j), k)| [i, j, k]);
+                let whole = sound && (axis.is_some() || size == 3);
                 let element = record.first as usize + 5 + place * size;
-                points.push(Point { at, record: index, sound, axis, element });
+                points.push(Point { at, record: index, sound, whole, axis, element });
             }
         }
         points
@@ -135,20 +142,22 @@ impl State<'_> {
         let Some(start) = start else {
             self.note(Event::UnknownStart { needed: circle.is_some() }, first, None);
             let mut from = points[0];
+            // An arc needs its start.
+            let first = Point { whole: from.whole && circle.is_none(), ..from };
+            self.keep_motion(None, first, None, rapid, None);
             for point in &points[1..] {
                 self.straight(from.at, *point, rapid);
                 from = *point;
             }
             return;
         };
-        // Under a cycle the tool goes to each hole above the part.
-        let rapid = rapid || self.file.cycle;
         if let Some(circle) = circle {
             match self.course(&circle, start, points, first) {
                 Course::Arc(arc) if self.file.cut => {
                     let third = arc.plane.axes()[2];
                     let length = libm::hypot(arc.length_in_plane(), end.at[third] - start[third]);
-                    let kind = if rapid { SpanKind::Rapid } else { SpanKind::Arc };
+                    self.keep_motion(Some(start), end, Some(arc), rapid, Some(circle.record));
+                    let kind = if rapid || self.file.cycle { SpanKind::Rapid } else { SpanKind::Arc };
                     self.push(kind, (circle.record, last), Geometry::Arc(arc), start, end.at, length, !end.sound);
                     self.ends.push(end.element as u32);
                 }
@@ -171,6 +180,9 @@ impl State<'_> {
     }
 
     fn straight(&mut self, from: [f64; 3], to: Point, rapid: bool) {
+        self.keep_motion(Some(from), to, None, rapid, None);
+        // Under a cycle the tool goes to each hole above the part.
+        let rapid = rapid || self.file.cycle;
         let [x, y, z] = std::array::from_fn(|axis| to.at[axis] - from[axis]);
         let length = (x * x + y * y + z * z).sqrt();
         // Between DNTCUT and CUT nothing is put out.
@@ -180,6 +192,29 @@ impl State<'_> {
         let kind = if rapid { SpanKind::Rapid } else { SpanKind::Line };
         self.push(kind, (to.record, to.record), Geometry::Line, from, to.at, length, !to.sound);
         self.ends.push(to.element as u32);
+    }
+
+    /// Keeps a move, where steps are wanted.
+    fn keep_motion(&mut self, from: Option<[f64; 3]>, to: Point, arc: Option<Arc>, rapid: bool, circle: Option<usize>) {
+        if !self.file.cut {
+            return;
+        }
+        self.keep(to.record, |state| {
+            Act::Motion(Box::new(Motion {
+                arc,
+                from,
+                to: to.at,
+                axis: to.axis,
+                rapid,
+                sound: to.sound && to.whole,
+                element: to.element,
+                circle,
+                last: to.record,
+                feed: state.file.feed,
+                per: state.file.per,
+                speed: state.file.speed,
+            }))
+        });
     }
 
     #[expect(clippy::too_many_arguments, reason = "it is all that a span is")]

@@ -14,6 +14,7 @@ pub(crate) mod format;
 pub(crate) mod function;
 pub(crate) mod motion;
 pub(crate) mod number;
+pub(crate) mod posting;
 mod prelude;
 pub(crate) mod row;
 mod rule;
@@ -250,6 +251,15 @@ pub static ALL: &[&Rule] = &[
     &cldata::changed_unit::RULE,
     &cldata::assumed_unit::RULE,
     &cldata::split_code::RULE,
+    &posting::tilted_tool_axis::RULE,
+    &posting::command_not_posted::RULE,
+    &posting::motion_not_posted::RULE,
+    &posting::part_left_out::RULE,
+    &posting::start_elsewhere::RULE,
+    &posting::text_as_it_stands::RULE,
+    &posting::leader_not_in_text::RULE,
+    &posting::skip_displaces::RULE,
+    &posting::statement_not_read::RULE,
 ];
 
 /// The rules on one block: a function of its characters and the control.

@@ -61,12 +61,15 @@ impl TapeWriter<'_> {
     }
 
     fn numbered(&mut self, mut words: Vec<(char, String)>) {
-        self.blocks += 1;
-        if let Some(designation) = self.control.designation(b'N') {
+        if let Some(designation) = self.control.designation(b'N').filter(|_| self.numbering.on) {
             let most = 10_i64.pow(u32::from(designation.width().clamp(1, 18))) - 1;
-            self.wrapped |= self.blocks > most;
-            let number = (self.blocks - 1) % most + 1;
-            let number = format!("{number:0width$}", width = usize::from(designation.width()));
+            let numbering = &mut self.numbering;
+            if numbering.next > most {
+                self.wrapped = true;
+                numbering.next = numbering.first.min(most);
+            }
+            let number = format!("{:0width$}", numbering.next, width = usize::from(designation.width()));
+            numbering.next = numbering.next.saturating_add(numbering.step);
             words.push((if std::mem::take(&mut self.align) { ':' } else { 'N' }, number));
         }
         let remarks = std::mem::take(&mut self.remarks);

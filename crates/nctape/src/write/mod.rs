@@ -6,37 +6,17 @@
 
 mod block;
 mod curve;
+mod fault;
 mod feed;
 mod motion;
 mod word;
 
+pub(crate) use fault::Fault;
 pub(crate) use feed::Pace;
 pub(crate) use motion::{Course, Move};
 
 use crate::format::{Control, Plane};
-use crate::speed::NoCode;
 use block::Last;
-
-/// Why something cannot be said in a format.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Fault {
-    /// The format has no word with this address.
-    NoWord(char),
-    /// A number has more digits than its word: address, number, how many digits it has before the decimal sign.
-    TooLong { address: char, value: f64, before: u8 },
-    /// A number below zero in a word without sign.
-    Negative { address: char, value: f64 },
-    /// The coding of F or S has no code for a speed.
-    Speed { address: char, value: f64, why: NoCode },
-    /// A feed per revolution where no speed is known, or a feed that is not known.
-    NoFeed,
-    /// The format's control has no arcs and parabolas.
-    NoContouring,
-    /// The third axis moves in an arc, and the format has no helix.
-    Helix,
-    /// The format declares no code for a cubic.
-    NoCubic,
-}
 
 /// Writes blocks of a format.
 pub(crate) struct TapeWriter<'a> {
@@ -44,8 +24,8 @@ pub(crate) struct TapeWriter<'a> {
     pub text: String,
     /// Where every axis stands, in least input increments.
     at: Vec<i64>,
-    /// Every block written so far.
-    blocks: i64,
+    /// The sequence numbers of the blocks that follow.
+    pub numbering: Numbering,
     /// Comments for the next block.
     remarks: String,
     /// Words for the next block.
@@ -58,6 +38,8 @@ pub(crate) struct TapeWriter<'a> {
     last: Option<Last>,
     /// What the next blocks have before them: the optional block skip character.
     pub skip: bool,
+    /// Arcs are cut at the axes of their circle, whatever the reading of I, J and K.
+    pub quadrants: bool,
     /// What is in force, as far as no block that may be skipped has said it.
     modal: Modal,
     /// A block has said what kind a feed is (G94, G95).
@@ -68,6 +50,22 @@ pub(crate) struct TapeWriter<'a> {
     pub speed_rounding: f64,
     /// Sequence numbers have begun anew.
     pub wrapped: bool,
+}
+
+/// Sequence numbers: the next one, by how much they grow, the one with which they begin anew where the word has no more
+/// digits; and whether blocks get any.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Numbering {
+    pub next: i64,
+    pub step: i64,
+    pub first: i64,
+    pub on: bool,
+}
+
+impl Default for Numbering {
+    fn default() -> Numbering {
+        Numbering { next: 1, step: 1, first: 1, on: true }
+    }
 }
 
 #[derive(Clone, Default)]
@@ -86,13 +84,14 @@ impl<'a> TapeWriter<'a> {
             control,
             text: "%\n".to_owned(),
             at: control.set_point.clone(),
-            blocks: 0,
+            numbering: Numbering::default(),
             remarks: String::new(),
             held: Vec::new(),
             align: false,
             once: None,
             last: None,
             skip: false,
+            quadrants: false,
             modal: Modal::start(control),
             changes_feed_kind: false,
             rounding: 0.0,
@@ -117,6 +116,28 @@ impl<'a> TapeWriter<'a> {
     pub(crate) fn stand(&mut self, at: &[Option<f64>]) -> Result<(), Fault> {
         self.at = self.rounded(at)?;
         Ok(())
+    }
+
+    /// Where an axis stands that the format has no word for.
+    pub(crate) fn stand_by_hand(&mut self, axis: usize, value: f64) {
+        let unit = crate::format::power_of_ten(self.control.axes[axis].decimals) as f64;
+        self.at[axis] = (value * unit).round() as i64;
+    }
+
+    /// A value rounded to the least input increment of an axis, in the unit of the format.
+    pub(crate) fn nearest(&self, axis: usize, value: f64) -> f64 {
+        let unit = crate::format::power_of_ten(self.control.axes[axis].decimals) as f64;
+        (value * unit).round() / unit
+    }
+
+    /// Text that becomes blocks as it stands. What it says of modes and positions is not followed.
+    pub(crate) fn verbatim(&mut self, text: &str) {
+        self.flush();
+        self.text.push_str(text);
+        self.text.push_str(&std::mem::take(&mut self.remarks));
+        self.text.push('\n');
+        self.last = None;
+        self.forget();
     }
 
     /// Begins another program: what was in force is so no more, and the tool stands where it is.
@@ -175,6 +196,14 @@ impl<'a> TapeWriter<'a> {
         Ok(())
     }
 
+    /// A block with one function and another word: G41 and D.
+    pub(crate) fn function_with(&mut self, address: char, code: u8, other: (char, i64)) -> Result<(), Fault> {
+        let words =
+            vec![(address, self.code_word(address, i64::from(code))?), (other.0, self.code_word(other.0, other.1)?)];
+        self.block(words);
+        Ok(())
+    }
+
     /// A block with a tool, a speed and a miscellaneous function, as far as they are given.
     pub(crate) fn functions(&mut self, tool: Option<i64>, speed: Option<f64>, code: Option<u8>) -> Result<(), Fault> {
         let mut words = Vec::new();
@@ -197,7 +226,7 @@ impl<'a> TapeWriter<'a> {
 
     /// Lets the tool dwell, by the word that the format has for it.
     pub(crate) fn dwell(&mut self, number: f64) -> Result<(), Fault> {
-        let dwell = self.control.format.itemized.dwell.as_ref().ok_or(Fault::NoWord('G'))?;
+        let dwell = self.control.format.itemized.dwell.as_ref().ok_or(Fault::NoDwell)?;
         let word = self.plain_word(dwell.address, number)?;
         let preparatory = self.code_word('G', 4)?;
         self.block(vec![('G', preparatory), (dwell.address, word)]);

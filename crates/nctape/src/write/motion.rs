@@ -169,8 +169,7 @@ impl TapeWriter<'_> {
             return self.straight(1, end, motion, None);
         }
         self.turn(plane)?;
-        let by_centre = self.control.arc_parameters == ArcParameters::Centre
-            && [first, second].iter().all(|&axis| self.designation(['I', 'J', 'K'][axis]).is_ok());
+        let by_centre = self.arcs_by_centre(plane);
         let start: Vec<f64> = [first, second, third].iter().map(|&axis| self.position(axis)).collect();
         let from = [start[0] - centre[0], start[1] - centre[1]];
         let (radius, angle) = (libm::hypot(from[0], from[1]), libm::atan2(from[1], from[0]));
@@ -179,7 +178,7 @@ impl TapeWriter<'_> {
         // Where the arc is to be cut: at the axes of the circle for a control that stays within a quadrant; three points
         // make no full circle.
         let mut cuts: Vec<f64> = Vec::new();
-        if by_centre && self.control.arc_centre == ArcCentre::Quadrant {
+        if by_centre && (self.quadrants || self.control.arc_centre == ArcCentre::Quadrant) {
             let quarters = (-12..=12).map(|quarter: i32| f64::from(quarter) * FRAC_PI_2 - angle);
             let inside =
                 |turn: &f64| turn.signum() == sweep.signum() && (1e-9..sweep.abs() - 1e-9).contains(&turn.abs());
@@ -223,6 +222,13 @@ impl TapeWriter<'_> {
             before = share;
         }
         Ok(())
+    }
+
+    /// Arcs are said by their centre; otherwise by three points.
+    pub(crate) fn arcs_by_centre(&self, plane: Plane) -> bool {
+        let [first, second, _] = plane.axes();
+        self.control.arc_parameters == ArcParameters::Centre
+            && [first, second].iter().all(|&axis| self.designation(['I', 'J', 'K'][axis]).is_ok())
     }
 
     /// Puts a point of a plane into a position.
@@ -296,7 +302,7 @@ impl TapeWriter<'_> {
     }
 
     /// Turns to another plane, in a block of its own: a block has one G.
-    fn turn(&mut self, plane: Plane) -> Result<(), Fault> {
+    pub(crate) fn turn(&mut self, plane: Plane) -> Result<(), Fault> {
         if self.modal.plane == Some(plane) {
             return Ok(());
         }
