@@ -14,6 +14,9 @@ struct ConvertedView {
     text: String,
     diagnostics: Vec<DiagnosticView>,
     map: Vec<[usize; 4]>,
+    /// Something of the source is lacking.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    incomplete: Option<bool>,
 }
 
 /// Decimal G-code that does what a tape does, with the optional block skip switch off.
@@ -61,7 +64,7 @@ fn dialects() -> String {
 }
 
 /// What a conversion gave, with offsets in UTF-16 code units on both sides.
-fn converted(converted: Converted, source: &str, standard: Standard) -> JsValue {
+pub(crate) fn converted(converted: Converted, source: &str, standard: Standard) -> JsValue {
     let (from, to) = (Offsets::new(source), Offsets::new(&converted.text));
     let diagnostic = |found: &Diagnostic| report::diagnostic(found, standard, &from);
     let map = converted.map.iter().map(|(source, text)| {
@@ -70,6 +73,7 @@ fn converted(converted: Converted, source: &str, standard: Standard) -> JsValue 
     to_js(&ConvertedView {
         diagnostics: converted.diagnostics.iter().map(diagnostic).collect(),
         map: map.collect(),
+        incomplete: converted.is_incomplete().then_some(true),
         text: converted.text,
     })
 }

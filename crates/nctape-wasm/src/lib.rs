@@ -11,6 +11,7 @@ mod live;
 mod offsets;
 mod paper;
 mod path;
+mod post;
 mod replay;
 mod report;
 mod speeds;
@@ -30,6 +31,7 @@ pub use live::Tape;
 pub use paper::{
     about_codes, lettering, lettering_note, on_machine_of, open_file, picture, reader_speed, row_words, why_untimed,
 };
+pub use post::postprocess;
 pub use speeds::{speed_codes, speed_of};
 pub use vocabulary::{code_table, format_fields, presets, rules, span_kinds, standards};
 

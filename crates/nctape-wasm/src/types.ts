@@ -244,13 +244,29 @@ export interface TranslatedClText {
 /** What a conversion gave. */
 export interface Converted {
   text: string;
-  /** What could not be carried over, or is written otherwise than one may expect: rules of the family CONV. */
+  /** What could not be carried over, or is written otherwise than one may expect: rules of the families CONV and POST. */
   diagnostics: Diagnostic[];
   /**
    * What became of each executed block: from, to in the source -> from, to in the text, in the order of the text. A block
-   * that gave nothing has an empty range there; one that shares a motion with another is linked to its lines too.
+   * that gave nothing has an empty range there; one that shares a motion with another is linked to its lines too. Of
+   * CLDATA, what became of each record; of CL text, of each statement.
    */
   map: [number, number, number, number][];
+  /** Something of the source is lacking: a diagnostic is an error. */
+  incomplete?: true;
+}
+
+/** How CLDATA is read and posted. */
+export interface PostOptions {
+  /** As in CldataOptions; CL text has no columns. */
+  columns?: number;
+  dialect?: CldataOptions["dialect"];
+  /** What arcs become, as a format does not say which interpolations a control has: "circles". */
+  arcs?: "circles" | "parabolas" | "chords";
+  /** The control carries out no more than a quadrant of a circle at a time: false, and always where I, J and K have no sign. */
+  quadrants?: boolean;
+  /** How far parabolas and chords may lie off an arc, in the unit of the format: what the text states (INTOL, OUTTOL), otherwise half an increment. */
+  tolerance?: number;
 }
 
 export interface Decoded {

@@ -65,7 +65,7 @@ struct PresetView {
     cursor: usize,
 }
 
-/// Tapes to begin with, the first visit's first.
+/// Tapes and CLDATA to begin with, the first visit's first.
 #[wasm_bindgen(unchecked_return_type = "Preset[]")]
 pub fn presets() -> JsValue {
     let views: Vec<PresetView> = core_presets::all()
@@ -74,7 +74,7 @@ pub fn presets() -> JsValue {
             id: preset.id,
             title: preset.title,
             about: preset.about,
-            kind: "tape",
+            kind: preset.kind.name(),
             format: Plain(preset.format.write()),
             source: preset.source,
             cursor: Offsets::new(preset.source).utf16(preset.cursor),

@@ -89,8 +89,8 @@ impl<'a> Poster<'a> {
         let finest = control.axes.iter().take(3).map(|axis| axis.decimals).min().unwrap_or(0);
         let stated = source.cldata.tolerance() * unit[0] / unit[1];
         let half = 0.5 / crate::format::power_of_ten(finest) as f64;
-        let wanted = options.tolerance.into_iter().chain([stated]);
-        let tolerance = wanted.filter(|wanted| wanted.is_finite() && *wanted > 0.0).next().unwrap_or(half);
+        let mut wanted = options.tolerance.into_iter().chain([stated]);
+        let tolerance = wanted.find(|wanted| wanted.is_finite() && *wanted > 0.0).unwrap_or(half);
         let mut writer = TapeWriter::new(control);
         writer.quadrants = options.quadrants;
         if incomplete {

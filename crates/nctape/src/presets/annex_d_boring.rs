@@ -1,6 +1,6 @@
 //! A boring machine with the format of ISO 2539 annex D.
 
-use super::Preset;
+use super::{Preset, PresetKind};
 use crate::format::{ArcFeed, FeedCoding, Format, Itemized, SpindleCoding, Standard};
 
 pub(super) fn preset() -> Preset {
@@ -11,6 +11,7 @@ pub(super) fn preset() -> Preset {
         about: "The boring machine that ISO 2539 annex D takes as its example: X, Y and Z in two decimal places, table \
                 positions by B, the spindle speed as an arithmetic code. F is the reciprocal of time, so that each cut \
                 has its own; the last one is an arc through three points, in two blocks.",
+        kind: PresetKind::Tape,
         format: Format {
             standard: Standard::Iso2539,
             classification: Some("CSM 433".to_owned()),

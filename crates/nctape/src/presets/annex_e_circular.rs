@@ -1,6 +1,6 @@
 //! The circular tape of ISO 2539 annex E.
 
-use super::Preset;
+use super::{Preset, PresetKind};
 use crate::format::{ArcCentre, ArcFeed, FeedCoding, Format, Itemized, SetPoint, Standard};
 
 pub(super) fn preset() -> Preset {
@@ -11,6 +11,7 @@ pub(super) fn preset() -> Preset {
         about: "The circular tape of ISO 2539 annex E: incremental dimensions, three arcs by centre, feed as the \
                 reciprocal of time. Its I, J and K are start minus centre, the other way round than the standard's own \
                 figure 2.",
+        kind: PresetKind::Tape,
         format: Format {
             standard: Standard::Iso2539,
             classification: Some("CSM 333".to_owned()),

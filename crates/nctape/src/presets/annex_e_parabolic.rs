@@ -1,6 +1,6 @@
 //! The parabolic tape of ISO 2539 annex E.
 
-use super::Preset;
+use super::{Preset, PresetKind};
 use crate::format::{FeedCoding, Format, Itemized, SetPoint, Standard};
 
 pub(super) fn preset() -> Preset {
@@ -11,6 +11,7 @@ pub(super) fn preset() -> Preset {
         about: "The parabolic tape of ISO 2539 annex E: the same contour in absolute dimensions, its arcs replaced by \
                 five parabolas of two blocks each, with the feed in mm/min. N012 to N014 fit a centre that is 0,005 \
                 off: a slip of the printed standard.",
+        kind: PresetKind::Tape,
         format: Format {
             standard: Standard::Iso2539,
             classification: Some("CSM 333".to_owned()),

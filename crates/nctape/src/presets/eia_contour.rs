@@ -1,6 +1,6 @@
 //! A contouring tape in EIA code.
 
-use super::Preset;
+use super::{Preset, PresetKind};
 use crate::format::{ArcCentre, ArcFeed, Dimensions, FeedCoding, Format, Itemized, Standard, TapeCode, TimeScale};
 
 pub(super) fn preset() -> Preset {
@@ -11,6 +11,7 @@ pub(super) fn preset() -> Preset {
         about: "A disc of 3 inches, milled by a contouring control of the 1960s in EIA RS-244: its circular \
                 interpolator works in one quadrant, so that the circle is four blocks and i and j have no \
                 sign. f is ten times the reciprocal of time in minutes, 10 inches per minute throughout.",
+        kind: PresetKind::Tape,
         format: Format {
             standard: Standard::Rs274,
             classification: None,

@@ -1,6 +1,6 @@
 //! A boring machine with the format of ISO 1058 annex D.
 
-use super::Preset;
+use super::{Preset, PresetKind};
 use crate::format::{FeedCoding, Format, Itemized, SpindleCoding, Standard};
 
 pub(super) fn preset() -> Preset {
@@ -12,6 +12,7 @@ pub(super) fn preset() -> Preset {
                 cuts parallel to the axes, the table turned by degrees. F and S are codes of the geometric \
                 progression, each a number of a printed table, and a block may have two miscellaneous \
                 functions.",
+        kind: PresetKind::Tape,
         format: Format {
             standard: Standard::Iso1058,
             classification: Some("LSMD442".to_owned()),

@@ -1,4 +1,4 @@
-//! Tapes to begin with, each under its format: one file for each, its text beside it.
+//! Tapes and CLDATA to begin with, each under its format: one file for each, its text beside it.
 
 mod annex_d_boring;
 mod annex_e_circular;
@@ -13,7 +13,26 @@ mod y_1702_holes_printed;
 
 use crate::format::Format;
 
-/// A tape with its format and what it teaches.
+/// What the text of a preset is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PresetKind {
+    /// A tape, read against its format.
+    Tape,
+    /// CLDATA, posted to its format.
+    Cldata,
+}
+
+impl PresetKind {
+    /// Its name in the interface.
+    pub fn name(self) -> &'static str {
+        match self {
+            PresetKind::Tape => "tape",
+            PresetKind::Cldata => "cldata",
+        }
+    }
+}
+
+/// A text with its format and what it teaches.
 #[derive(Clone, Debug)]
 pub struct Preset {
     /// A name that never changes.
@@ -22,12 +41,19 @@ pub struct Preset {
     pub title: &'static str,
     /// What it teaches, in two sentences.
     pub about: &'static str,
-    /// The format that it is read against.
+    /// What its text is.
+    pub kind: PresetKind,
+    /// The format that it is read against, or posted to.
     pub format: Format,
     /// The text.
     pub source: &'static str,
     /// The byte of the text where the cursor stands when it opens.
     pub cursor: usize,
+}
+
+/// The presets whose text is a tape.
+pub fn tapes() -> Vec<Preset> {
+    all().into_iter().filter(|preset| preset.kind == PresetKind::Tape).collect()
 }
 
 /// All presets; the first is shown on a first visit.

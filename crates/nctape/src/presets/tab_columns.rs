@@ -1,6 +1,6 @@
 //! A tape without addresses.
 
-use super::Preset;
+use super::{Preset, PresetKind};
 use crate::format::{FeedCoding, Format, Itemized, SpindleCoding, Standard};
 
 pub(super) fn preset() -> Preset {
@@ -11,6 +11,7 @@ pub(super) fn preset() -> Preset {
         about: "A rectangle milled on a control that has tabs and no addresses: a number means what its \
                 column means. A word that is left out keeps its tab where others follow, and the tabs behind \
                 the last word are dropped.",
+        kind: PresetKind::Tape,
         format: Format {
             standard: Standard::Iso2539,
             classification: Some("CTM 332".to_owned()),

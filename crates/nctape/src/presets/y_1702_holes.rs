@@ -1,6 +1,6 @@
 //! The hole pattern of Y-1702, figure 3, in absolute data.
 
-use super::Preset;
+use super::{Preset, PresetKind};
 use crate::format::{Dimensions, Format, Itemized, Standard, TapeCode};
 
 pub(super) fn preset() -> Preset {
@@ -11,6 +11,7 @@ pub(super) fn preset() -> Preset {
         about: "The hole pattern of Y-1702 in absolute data: eight holes from B to I, then back to A, each \
                 measured from the origin at A. Block n001 goes to B, n002 to C, and so on; the +13 format \
                 has one digit before the decimal sign and three behind it, in inches.",
+        kind: PresetKind::Tape,
         format: holes(Dimensions::Absolute),
         source,
         cursor: source.find("x+2000").unwrap_or(0),

@@ -1,7 +1,7 @@
 //! The hole pattern of Y-1702, figure 3, in incremental data.
 
-use super::Preset;
 use super::y_1702_holes::holes;
+use super::{Preset, PresetKind};
 use crate::format::Dimensions;
 
 pub(super) fn preset() -> Preset {
@@ -12,6 +12,7 @@ pub(super) fn preset() -> Preset {
         about: "The same hole pattern in incremental data: each word is the way from the hole before. The \
                 last block has x+2000, so that all departures of an axis add up to nothing and the tool is \
                 back at A; the report prints another sign there.",
+        kind: PresetKind::Tape,
         format: holes(Dimensions::Incremental),
         source,
         cursor: source.find("x+2000").unwrap_or(0),
