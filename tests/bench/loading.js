@@ -1,6 +1,8 @@
 // The first visit: when the page has its first answer, and how many bytes it takes.
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
 import { constants, brotliCompressSync } from 'node:zlib';
-import { visit } from '../e2e/support/playground.js';
+import { dist, visit } from '../e2e/support/playground.js';
 
 const VISITS = 9;
 
@@ -42,11 +44,21 @@ export async function measureSizes(started) {
   for (const [url, response] of responses) {
     // What the page made itself, such as a picture of its own, was not fetched.
     if (!url.startsWith(started.address)) continue;
-    const body = await response.body();
-    const params = { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_SIZE_HINT]: body.length };
-    const name = url.slice(started.address.length) || 'index.html';
-    files.push({ name, raw: body.length, brotli: brotliCompressSync(body, { params }).length });
+    files.push(sized(url.slice(started.address.length) || 'index.html', await response.body()));
   }
   await leave();
   return files;
+}
+
+/** The files that go into the pages of others. */
+export const measureEmbed = () =>
+  Promise.all(['embed.html', 'nc-tape.js'].map(async (name) => sized(name, await readFile(join(dist, name)))));
+
+/**
+ * @param {string} name
+ * @param {Buffer} body
+ */
+function sized(name, body) {
+  const params = { [constants.BROTLI_PARAM_QUALITY]: 11, [constants.BROTLI_PARAM_SIZE_HINT]: body.length };
+  return { name, raw: body.length, brotli: brotliCompressSync(body, { params }).length };
 }

@@ -34,6 +34,55 @@ test('Tab reaches everything, and no key is a trap', async () => {
   await leave();
 });
 
+test('a whole visit by the keyboard: choose a tape, make an error, find it, mend it, share it', async () => {
+  const { page, leave } = await visit(started);
+  /** @param {string} wanted @param {'Tab' | 'Shift+Tab'} [key] */
+  const goTo = async (wanted, key = 'Tab') => {
+    for (let i = 0; i < 60 && (await focused(page)) !== wanted; i += 1) await page.keyboard.press(key);
+    assert.equal(await focused(page), wanted);
+  };
+  await goTo('preset');
+  await page.keyboard.press('ArrowDown');
+  await quiet(page);
+  assert.equal(await page.locator('#preset').inputValue(), 'annex-e-parabolic');
+  const whole = (await lines(page)).join('\n');
+
+  await goTo('program text');
+  await page.keyboard.press('Control+Home');
+  for (const key of ['ArrowDown', 'ArrowDown', 'ArrowDown', 'End', 'Backspace']) await page.keyboard.press(key);
+  await quiet(page);
+  assert.match(await page.locator('#tallies').innerText(), /1 error/);
+
+  await page.keyboard.press('Control+Home');
+  await page.keyboard.press('F8');
+  await quiet(page);
+  assert.ok(await page.locator('.problem-list > li.chosen').count());
+  await page.keyboard.press('Escape');
+  await goTo('small fix');
+  await page.keyboard.press('Enter');
+  await quiet(page);
+  assert.doesNotMatch(await page.locator('#tallies').innerText(), /error/);
+  const mended = (await lines(page)).join('\n');
+  assert.equal(mended.length, whole.length);
+
+  await goTo('share-button', 'Shift+Tab');
+  await page.keyboard.press('Enter');
+  await quiet(page);
+  assert.equal(await focused(page), 'share-link');
+  await goTo('copy-link');
+  await page.keyboard.press('Enter');
+  await quiet(page);
+  assert.match(await page.locator('#share-said').innerText(), /copied|by hand/);
+  const link = await page.locator('#share-link').inputValue();
+  await page.keyboard.press('Escape');
+  assert.equal(await focused(page), 'share-button');
+  await leave();
+
+  const other = await visit(started, { path: link.slice(started.address.length) });
+  assert.equal((await lines(other.page)).join('\n'), mended);
+  await other.leave();
+});
+
 test('Escape leaves the program', async () => {
   const { page, leave } = await visit(started);
   await page.locator('.cm-content').click();

@@ -71,6 +71,8 @@ export function makeEditor({ host, format, kinds, ask, card, goToProblem, leave,
           spellcheck: 'false',
           autocorrect: 'off',
           autocapitalize: 'off',
+          // It takes the focus as it is; who looks for what does so reads this.
+          tabindex: '0',
         }),
         EditorView.updateListener.of(onUpdate),
         more,
