@@ -73,6 +73,9 @@ export function makePlot({ store, engine, kinds, onBlock }) {
     const width = host.clientWidth;
     const height = host.clientHeight;
     if (width === 0 || height === 0) return;
+    // A frame is given its size late: what was fitted into much less room, or more, is fitted anew.
+    const another = Math.abs(Math.log2(width / view.width)) > 1 || Math.abs(Math.log2(height / view.height)) > 1;
+    if (another && !held) fitted = false;
     view.width = width;
     view.height = height;
     canvas.width = Math.round(width * ratio);
