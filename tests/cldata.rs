@@ -527,8 +527,8 @@ fn what_a_file_holds_at_a_record() {
     assert_eq!(says(998, "Coolant"), stated("mist"));
     assert_eq!(says(998, "Feed"), stated("0.01 in/rev"));
     assert_eq!(says(998, "Cutter"), stated("diameter 0.5 in"));
-    assert_eq!(says(998, "Next motion"), taken("a straight line at the feed"));
-    assert_eq!(says(1001, "Next motion"), stated("at rapid traverse"));
+    assert_eq!(says(998, "Next"), taken("straight, at the feed"));
+    assert_eq!(says(1001, "Next"), stated("straight, at rapid"));
     assert_eq!((says(1001, "Spindle"), says(1000, "Motions")), (stated("off"), stated("not put out")));
     assert_eq!((cldata.held(5).unwrap().position, cldata.held(6).unwrap().position), (None, Some([0.0; 3])));
     for record in [255, 256, 512, 700, 998] {

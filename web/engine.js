@@ -10,7 +10,7 @@ import { timed } from './timing.js';
 /** @typedef {import('./worker.js').Questions} Questions */
 /** @typedef {import('./worker.js').Change} Change */
 /** @typedef {[name: keyof Questions, ...args: (string | number)[]]} Foreseen  a question and its arguments */
-/** @typedef {{ source: string, format: import('nctape').Format, skip: boolean, offset: number }} Current */
+/** @typedef {{ source: string, format: import('nctape').Format, kind?: import('nctape').SourceKind, skip: boolean, offset: number }} Current  kind: left out, it is a tape */
 
 /**
  * @template {any[]} T
@@ -128,8 +128,14 @@ export class Engine {
     this.down = false;
     this.waiting = null;
     this.edit += 1;
-    const { source, format, skip, offset } = this.callbacks.current();
-    this.sendChange('open', source, format, skip, offset);
+    const { source, format, kind = 'tape', skip, offset } = this.callbacks.current();
+    this.sendChange('open', source, format, kind, skip, offset);
+  }
+
+  /** The text is something else from now on: a tape, or CLDATA. */
+  reopen() {
+    this.traps = 0;
+    this.open();
   }
 
   /**

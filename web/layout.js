@@ -34,7 +34,7 @@ function makeDivider() {
   });
 }
 
-const TABS = ['program', 'path', 'problems'];
+const TABS = ['program', 'posted', 'path', 'problems'];
 
 /**
  * @param {string[]} names  of the views, the first of which is shown
@@ -56,7 +56,10 @@ export function makeTabs(names) {
     tab.addEventListener('keydown', (event) => {
       const way = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
       if (way === 0) return;
-      const next = (index + way + names.length) % names.length;
+      let next = index;
+      // The tab of a view that is not there is passed over.
+      do next = (next + way + names.length) % names.length;
+      while (tabs[next].offsetParent === null && next !== index);
       choose(names[next]);
       tabs[next].focus();
     });

@@ -48,9 +48,8 @@ async function start() {
     engine.fact('version'),
   ]);
   byId('version', HTMLElement).textContent = `Version ${version.package}`;
-  const tapes = presets.filter(({ kind }) => kind === 'tape');
-  const beginning = await begin(engine, tapes);
-  playground = makePlayground({ store, engine, kinds, presets: tapes, beginning });
+  const beginning = await begin(engine, presets);
+  playground = makePlayground({ store, engine, kinds, presets, beginning });
 }
 
 void start();

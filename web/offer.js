@@ -1,4 +1,5 @@
 // Offers another format where the present one leaves most blocks in error, as after a paste.
+import { pieceWord } from './cldata/kind.js';
 import { byId, el, whenQuiet } from './dom.js';
 import { counted } from './words.js';
 
@@ -20,7 +21,8 @@ export function makeOffer({ store, engine, suggest }) {
     const { summary } = store.state;
     if (summary === null) return;
     // A block in error has an error: only where there are enough of them the blocks are looked at.
-    const found = summary.errors * 2 > summary.blocks && (await engine.ask('misfits', summary.blocks));
+    const isTape = store.state.kind === 'tape';
+    const found = isTape && summary.errors * 2 > summary.blocks && (await engine.ask('misfits', summary.blocks));
     if (found === undefined) return;
     misfits = found;
     show();
@@ -29,7 +31,7 @@ export function makeOffer({ store, engine, suggest }) {
     const { summary } = store.state;
     if (summary === null) return;
     note.replaceChildren(
-      counted(summary.blocks, 'block'),
+      counted(summary.blocks, pieceWord(store.state)),
       misfits ? el('span', { class: 'note-more' }, ', most with errors') : '',
     );
     offer.hidden = !misfits;

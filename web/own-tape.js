@@ -1,15 +1,23 @@
-// Which tape is open: one of the examples, a guest that came with a link or the page of a rule, or the visitor's own,
+// What is open, a tape or CLDATA: one of the examples, a guest that came with a link or the page of a rule, or the visitor's own,
 // which is kept while another is looked at.
 import { byId, el } from './dom.js';
 
 /** @typedef {import('nctape').Preset} Preset */
-/** @typedef {{ source: string, format: import('nctape').Format, cursor: number }} Whole  a tape with all that opens it */
+/** @typedef {import('./share/whole.js').Whole} Whole  a tape or CLDATA with all that opens it */
+/** @typedef {import('nctape').SourceKind} SourceKind */
 
 const OWN = '';
-const EMPTY = 'empty';
+/** @type {{ kind: SourceKind, group: string, own: string, about: string, empty: string, emptyTitle: string }[]} */
+const KINDS = [
+  { kind: 'tape', group: 'Tapes', own: 'Your tape', about: 'Your own tape.', empty: 'empty', emptyTitle: 'Empty tape' },
+  { kind: 'cldata', group: 'CLDATA, from which tapes are made', own: 'Your CLDATA', about: 'Your own CLDATA.', empty: 'empty-cldata', emptyTitle: 'Empty CLDATA' },
+];
 const GUEST = 'guest';
-const ABOUT_OWN = 'Your own tape. This browser keeps it, also while you look at an example.';
-const ABOUT_GUEST = 'Not your own tape until you change it: yours is kept, and can be chosen above.';
+const ABOUT_OWN = 'This browser keeps it, also while you look at an example.';
+const ABOUT_GUEST = 'Not your own until you change it: yours is kept, and can be chosen above.';
+
+/** @param {Whole | null} whole */
+const kindOf = (whole) => KINDS.find(({ kind }) => kind === whole?.kind) ?? KINDS[0];
 
 /**
  * @param {object} parts
@@ -24,12 +32,18 @@ export function makePicker({ presets, choose, current, load, own: earlier, guest
   const picker = byId('preset', HTMLSelectElement);
   const about = byId('about-tape', HTMLElement);
   const opener = byId('about-button', HTMLElement);
-  const own = el('option', { value: OWN, hidden: true }, 'Your tape');
+  const own = el('option', { value: OWN, hidden: true }, KINDS[0].own);
   const visiting = el('option', { value: GUEST, hidden: true });
   picker.replaceChildren(
     own,
-    ...presets.map(({ id, title }) => el('option', { value: id }, title)),
-    el('option', { value: EMPTY }, 'Empty tape'),
+    ...KINDS.map(({ kind, group, empty, emptyTitle }) =>
+      el(
+        'optgroup',
+        { label: group },
+        ...presets.filter((preset) => preset.kind === kind).map(({ id, title }) => el('option', { value: id }, title)),
+        el('option', { value: empty }, emptyTitle),
+      ),
+    ),
     visiting,
   );
   /** What was written before an example was opened. @type {Whole | null} */
@@ -44,11 +58,14 @@ export function makePicker({ presets, choose, current, load, own: earlier, guest
     keep();
     guest = null;
     const preset = presets.find(({ id }) => id === wanted);
+    const empty = KINDS.find((one) => one.empty === wanted);
     if (preset !== undefined) choose(preset);
-    else if (wanted === EMPTY) load({ ...current(), source: '', cursor: 0 });
+    else if (empty !== undefined) load({ format: current().format, source: '', cursor: 0, kind: empty.kind });
     else if (kept !== null) load(kept);
     show();
   });
+  /** What was open of either kind when the other was turned to. @type {Partial<Record<SourceKind, { whole: Whole, guest: string | null }>>} */
+  const left = {};
 
   /** Lays the visitor's own tape aside. */
   function keep() {
@@ -58,9 +75,10 @@ export function makePicker({ presets, choose, current, load, own: earlier, guest
   function show() {
     picker.value = open;
     own.hidden = open !== OWN && kept === null;
+    own.textContent = kindOf(open === OWN ? current() : kept).own;
     visiting.hidden = open !== GUEST;
     visiting.textContent = guest;
-    about.textContent = presets.find(({ id }) => id === open)?.about ?? (open === GUEST ? ABOUT_GUEST : ABOUT_OWN);
+    about.textContent = presets.find(({ id }) => id === open)?.about ?? (open === GUEST ? ABOUT_GUEST : `${kindOf(current()).about} ${ABOUT_OWN}`);
   }
   opener.addEventListener('click', () => {
     const isOpen = about.classList.toggle('open');
@@ -70,11 +88,27 @@ export function makePicker({ presets, choose, current, load, own: earlier, guest
   return {
     keep,
     /**
+     * Turns to what was open of a kind last, or to its first example.
+     * @param {SourceKind} kind
+     */
+    turn(kind) {
+      keep();
+      left[current().kind ?? 'tape'] = { whole: current(), guest };
+      const last = left[kind];
+      guest = last?.guest ?? null;
+      const example = presets.find((preset) => preset.kind === kind);
+      if (last !== undefined) load(last.whole);
+      else if (example !== undefined) choose(example);
+      else load({ format: current().format, source: '', cursor: 0, kind });
+      show();
+    },
+    /**
      * The tape that is loaded next is a guest.
      * @param {string} title
      */
     welcome(title) {
       keep();
+      left[current().kind ?? 'tape'] = { whole: current(), guest };
       guest = title;
     },
     /** What is to be kept of this visit. @returns {import('./share/drafts.js').Draft} */
@@ -93,7 +127,8 @@ export function makePicker({ presets, choose, current, load, own: earlier, guest
      */
     name(is, byHand) {
       if (byHand) guest = null;
-      open = presets.find(({ source }) => is(source))?.id ?? (guest === null ? OWN : GUEST);
+      const kind = current().kind ?? 'tape';
+      open = presets.find((preset) => preset.kind === kind && is(preset.source))?.id ?? (guest === null ? OWN : GUEST);
       show();
     },
   };

@@ -1,7 +1,8 @@
 // Makes the views and ties them to one tape: what one of them is told, all of them show.
 import { byId, whenQuiet } from './dom.js';
 import { makeDecimals } from './decimals.js';
-import { changeFormat, currentFormat, insertTab, keepFormat, makeEditor, movedBy, moveCursor, replaceAll, tryFormat } from './editor/editor.js';
+import { makeKindSwitch } from './cldata/kind.js';
+import { changeFormat, currentFormat, currentKind, insertTab, keepFormat, makeEditor, mend, movedBy, moveCursor, replaceAll, tryFormat } from './editor/editor.js';
 import { light } from './editor/lit.js';
 import { makeFormatPanel } from './format-panel/panel.js';
 import { makeFiles } from './files/files.js';
@@ -47,7 +48,7 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
   const layout = makeLayout();
   const rulePage = makeRulePage({
     engine,
-    standard: () => store.state.format.standard,
+    format: () => store.state.format,
     load(example) {
       header.welcome('Example of a rule');
       replaceAll(editor, example);
@@ -60,9 +61,9 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
 
   /** @type {import('./problem-card.js').Deeds} */
   const deeds = {
-    apply({ edits, format }) {
-      if (edits !== undefined) editor.dispatch({ changes: edits, userEvent: 'input.fix', scrollIntoView: true });
-      if (format !== undefined) changeFormat(editor, format);
+    apply(fix) {
+      if (fix.edits !== undefined || fix.kind !== undefined) mend(editor, fix);
+      if (fix.format !== undefined) changeFormat(editor, fix.format);
     },
     openRule: (rule) => void rulePage.open(rule),
     show({ from, to }) {
@@ -116,11 +117,30 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
   const change = (format) => changeFormat(editor, format);
   const formatPanel = makeFormatPanel({ store, engine, text: () => editor.state.doc, change, openCalculator });
   makeOffer({ store, engine, suggest: () => formatPanel.suggest() });
-  makeStrip({ store, engine, kinds, onRow: (offset) => moveCursor(editor, offset, 'tape') });
+  makeStrip({ store, engine, kinds, onRow: (offset) => (store.state.kind === 'cldata' ? void goToPosted(offset) : moveCursor(editor, offset, 'tape')) });
   const problems = makeProblems({ store, engine, deeds, textLength: () => editor.state.doc.length, cursor: () => editor.state.selection.main.from });
   makePlot({ store, engine, kinds, onBlock: (offset) => moveCursor(editor, offset, 'path') });
   makeRegisters(store);
   showOtherAxes(store, engine);
+  showCldata({
+    store,
+    engine,
+    kinds,
+    // What is wrong with that tape is mended in the CLDATA, or in the format.
+    card: (diagnostic) => problemCard({ ...diagnostic, fixes: [], related: [] }, deeds),
+    onPlace: (offset) => void goToPosted(offset),
+    open(source, cursor) {
+      header.welcome('Tape that was CLDATA');
+      replaceAll(editor, { source, format: currentFormat(editor), cursor, kind: 'tape' });
+      if (layout.narrow()) layout.showTab('program');
+      editor.focus();
+    },
+    async goTo(record) {
+      const block = await engine.ask('block', record);
+      if (block) moveCursor(editor, block.from, 'path');
+    },
+  });
+  makeKindSwitch({ store, turn: header.turn });
   const replay = makeReplay({ store, engine, onPlace: (offset) => moveCursor(editor, offset, 'replay') });
   makeReplayControls({ store, replay });
   makeTimeline({ store, kinds, replay });
@@ -132,11 +152,17 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
   });
   makeSkip({ store, engine, cursor: head });
   makeTotals({ store, engine, kinds, openFormat: (field) => void formatPanel.openAt(field), show: deeds.show });
-  makeName({ store, engine, text: () => editor.state.doc });
+  makeName({
+    store,
+    engine,
+    beginning: async (characters) =>
+      store.state.kind === 'tape' ? editor.state.sliceDoc(0, characters) : (await listing()).slice(0, characters),
+  });
   makeFiles({
     store,
     engine,
     source: () => editor.state.doc.toString(),
+    listing,
     load(tape) {
       header.keep();
       replaceAll(editor, tape);
@@ -157,14 +183,19 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
   /** @param {ViewUpdate} update */
   function onUpdate(update) {
     const by = update.transactions.map((one) => one.annotation(movedBy));
-    if (by.includes('replay')) return;
+    if (by.includes('replay') || by.includes('posted')) return;
     const format = currentFormat(update.view);
     const isNewFormat = format !== store.state.format;
+    const kind = currentKind(update.view);
+    const isNewKind = kind !== store.state.kind;
     if (update.docChanged || update.selectionSet || isNewFormat) replay.handOver(update.docChanged || isNewFormat);
     if (update.docChanged) noteEdit(update);
-    if (isNewFormat) store.set({ format });
-    if (update.docChanged || isNewFormat) keepDraft();
-    if (update.docChanged || isNewFormat) {
+    if (isNewFormat || isNewKind) store.set({ format, kind });
+    if (update.docChanged || isNewFormat || isNewKind) keepDraft();
+    if (isNewKind) {
+      replaced = true;
+      engine.reopen();
+    } else if (update.docChanged || isNewFormat) {
       engine.alter({
         changes: update.docChanged ? update.changes : undefined,
         format: isNewFormat ? format : undefined,
@@ -190,7 +221,7 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
 
   /** The tape as it stands, with all that opens it again. */
   function whole() {
-    return { source: editor.state.doc.toString(), format: currentFormat(editor), cursor: head() };
+    return { source: editor.state.doc.toString(), format: currentFormat(editor), cursor: head(), kind: currentKind(editor) };
   }
 
   /** Puts the cursor where there is something to be seen. */
@@ -198,6 +229,24 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
     const { doc } = editor.state;
     const offset = await engine.ask('sight');
     if (offset !== undefined && editor.state.doc === doc) moveCursor(editor, offset, 'paste');
+  }
+
+  /** The listing of the tape: the text, or what the CLDATA became. */
+  async function listing() {
+    if (store.state.kind === 'tape') return editor.state.doc.toString();
+    return (await engine.ask('posted', 0))?.text ?? '';
+  }
+
+  /**
+   * A hand went to a place of the tape that the CLDATA became: the record that it came from is lit with it.
+   * @param {number} at
+   */
+  async function goToPosted(at) {
+    const { doc } = editor.state;
+    const here = await engine.ask('locatePosted', at);
+    if (here === undefined || editor.state.doc !== doc) return;
+    if (here.block !== null) moveCursor(editor, here.offset, 'posted');
+    store.set({ chosen: null, here: here.block === null ? { ...here, offset: head() } : here });
   }
 
   async function locate() {
@@ -215,7 +264,7 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
   });
 
   return {
-    current: () => ({ source: editor.state.doc.toString(), format: currentFormat(editor), skip: store.state.skip, offset: head() }),
+    current: () => ({ source: editor.state.doc.toString(), format: currentFormat(editor), kind: currentKind(editor), skip: store.state.skip, offset: head() }),
     changed({ summary, here }) {
       store.set({ summary, here, whole: replaced });
       if (toSight) void goToSight();
@@ -224,6 +273,20 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
       if (here.offset !== head()) void locate();
     },
   };
+}
+
+/**
+ * The views of CLDATA, fetched when it is opened first.
+ * @param {Parameters<typeof import('./cldata/views.js').makeCldataViews>[0]} parts
+ */
+function showCldata(parts) {
+  let asked = false;
+  parts.store.on(['kind'], async ({ kind }) => {
+    if (asked || kind !== 'cldata') return;
+    asked = true;
+    const { makeCldataViews } = await import('./cldata/views.js');
+    makeCldataViews(parts);
+  });
 }
 
 /**

@@ -9,6 +9,7 @@ import { whole } from './words.js';
 /**
  * @typedef {object} Deeds
  * @property {(fix: Fix) => void} apply
+ * @property {(fix: Fix) => boolean} [takes]  it is offered here; left out, every fix is
  * @property {(rule: string) => void} openRule
  * @property {(range: { from: number, to: number }) => void} show  select a range in all views
  */
@@ -35,11 +36,11 @@ export function messageOf({ message, clauses, count }) {
  * @param {Deeds} deeds
  * @param {{ withRule: boolean }} options
  */
-export function deedsOf(diagnostic, { apply, openRule, show }, { withRule }) {
+export function deedsOf(diagnostic, { apply, takes = () => true, openRule, show }, { withRule }) {
   const related = (diagnostic.related ?? []).map((range) =>
     button('small link', range.message, () => show(range)),
   );
-  const fixes = (diagnostic.fixes ?? []).map((fix) => button('small fix', fix.title, () => apply(fix)));
+  const fixes = (diagnostic.fixes ?? []).filter(takes).map((fix) => button('small fix', fix.title, () => apply(fix)));
   const rule = withRule
     ? [button('small link rule', diagnostic.rule, () => openRule(diagnostic.rule), { title: `What ${diagnostic.rule} means` })]
     : [];

@@ -1,4 +1,5 @@
 // The list of problems: it settles when typing pauses, and moves with the text until then.
+import { pieceWord } from './cldata/kind.js';
 import { button, byId, el, whenQuiet } from './dom.js';
 import { moved } from './editor/marks.js';
 import { deedsOf, messageOf } from './problem-card.js';
@@ -41,7 +42,7 @@ export function makeProblems({ store, engine, deeds, textLength, cursor }) {
     if (focused !== null) /** @type {HTMLElement | null} */ (list.children[focused]?.querySelector('button'))?.focus();
     empty.textContent =
       total === 0 || summary.blocks === 0
-        ? emptyWords(summary)
+        ? emptyWords(store.state, summary)
         : total > shown.length
           ? `… and ${whole(total - shown.length)} more further on. They come up when these are settled.`
           : '';
@@ -152,10 +153,15 @@ export function makeProblems({ store, engine, deeds, textLength, cursor }) {
   };
 }
 
-/** @param {import('nctape').Summary} summary */
-function emptyWords({ blocks }) {
-  if (blocks === 0) return 'Nothing is on the tape yet. Type a block, paste a listing, or choose an example above.';
-  return `Nothing to object to in ${counted(blocks, 'block')}.`;
+/**
+ * @param {import('./store.js').State} state
+ * @param {import('nctape').Summary} summary
+ */
+function emptyWords(state, { blocks }) {
+  if (blocks > 0) return `Nothing to object to in ${counted(blocks, pieceWord(state))}.`;
+  return state.kind === 'cldata'
+    ? 'There is no record yet. Type one, paste CLDATA or the CL text of a CAM system, or choose an example above.'
+    : 'Nothing is on the tape yet. Type a block, paste a listing, or choose an example above.';
 }
 
 /** @param {import('nctape').Summary} summary */

@@ -188,6 +188,9 @@ export const questions = {
       other.free();
     }
   },
+
+  /** Where the cursor goes for a span. @param {Tape} tape @param {number} index @returns {number | null} */
+  spanPlace: (tape, index) => tape.block(tape.span(index)?.blocks[0] ?? -1)?.from ?? null,
 };
 
 /**

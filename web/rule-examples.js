@@ -1,15 +1,16 @@
 // The examples of a rule's page: which format stands before a tape, and what of a fence is tape.
 
 /** @typedef {import('nctape').Format} Format */
-/** @typedef {{ source: string, format: Format, cursor: number }} Example */
+/** @typedef {{ source: string, format: Format, cursor: number, kind?: import('nctape').SourceKind }} Example */
 
 /**
  * Reads the fences of one page from first to last. A tape is an example under the formats that stand before it, and
  * of these under the one of the wanted standard, else the first.
  * @param {import('nctape').Standard} standard
+ * @param {Format} present  that CLDATA is posted to, where the page states none
  * @returns {(info: string, body: string) => Example | null}
  */
-export function exampleReader(standard) {
+export function exampleReader(standard, present) {
   /** @type {Format[]} */
   let formats = [];
   let used = false;
@@ -20,9 +21,11 @@ export function exampleReader(standard) {
       formats.push(JSON.parse(body));
       return null;
     }
-    if (!/^tape (good|bad|bad open)$/.test(info)) return null;
+    const isCldata = /^cldata (good|bad)$/.test(info);
+    if (!isCldata && !/^tape (good|bad|bad open)$/.test(info)) return null;
     used = true;
     const format = formats.find((one) => one.standard === standard) ?? formats[0];
+    if (isCldata) return { ...withoutCaretLines(body), format: format ?? present, kind: 'cldata' };
     if (format === undefined) return null;
     const { source, cursor } = withoutCaretLines(body);
     // An open tape ends without its last line end.

@@ -10,10 +10,10 @@ import { severityMark, SEVERITY_WORD } from './severity.js';
 /**
  * @param {object} parts
  * @param {import('./engine.js').Engine} parts.engine
- * @param {() => Standard} parts.standard  that the reader works under
+ * @param {() => import('nctape').Format} parts.format  that the reader works under
  * @param {((example: import('./rule-examples.js').Example) => void) | null} parts.load  null: its examples are only read
  */
-export function makeRulePage({ engine, standard, load }) {
+export function makeRulePage({ engine, format, load }) {
   const dialog = byId('rule-page', HTMLDialogElement);
   dialog.addEventListener('click', (event) => {
     if (event.target === dialog) dialog.close();
@@ -23,7 +23,7 @@ export function makeRulePage({ engine, standard, load }) {
 
   /** @returns {import('./markdown.js').UnderFence} */
   function underFence() {
-    const read = exampleReader(standard());
+    const read = exampleReader(format().standard, format());
     return (info, body) => {
       const example = read(info, body);
       if (example === null || load === null) return null;
@@ -55,8 +55,10 @@ export function makeRulePage({ engine, standard, load }) {
  * @param {() => void} close
  */
 function pageOf(rule, standards, underFence, close) {
-  const verdicts = standards.map(({ id, title }) => {
-    const severity = rule.severity[id];
+  const onCldata = rule.severity.iso3592;
+  /** @type {[title: string, severity: import('nctape').Severity | null][]} */
+  const known = onCldata === undefined ? standards.map(({ id, title }) => [title, rule.severity[id]]) : [['ISO 3592', onCldata]];
+  const verdicts = known.map(([title, severity]) => {
     return el(
       'li',
       null,

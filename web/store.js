@@ -1,8 +1,11 @@
 // What all views show: one object, told to all of them in the same moment.
 
-/** @typedef {import('nctape').Summary} Summary */
+/**
+ * Of CLDATA, the path and the problems are its own, and rows and paper those of the tape that it became.
+ * @typedef {import('nctape').Summary & { posted?: { blocks: number, errors: number, warnings: number, incomplete: boolean } }} Summary
+ */
 /** @typedef {import('nctape').Diagnostic} Diagnostic */
-/** @typedef {import('nctape').BlockView} BlockView */
+/** @typedef {import('nctape').BlockView & Partial<import('nctape').RecordView>} BlockView  of CLDATA, a record */
 /** @typedef {import('nctape').Span} Span */
 /** @typedef {import('nctape').Format} Format */
 
@@ -13,10 +16,12 @@
  * @property {number} row  -1 where no row follows
  * @property {BlockView | null} block
  * @property {Span | null} span
+ * @property {{ from: number, to: number, at: number }} [posted]  of CLDATA: what the record became, and the place there
  */
 
 /**
  * @typedef {object} State
+ * @property {import('nctape').SourceKind} kind  what the text is
  * @property {Format} format
  * @property {import('nctape').FormatExplanation | null} explanation
  * @property {Summary | null} summary  of the newest edit that the engine has answered
@@ -44,6 +49,7 @@
  * @returns {State}
  */
 export const emptyState = (theme) => ({
+  kind: 'tape',
   format: { standard: 'iso2539', detail: '' },
   explanation: null,
   summary: null,

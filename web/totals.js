@@ -4,7 +4,7 @@ import { lazily } from './lazy.js';
 import { blockName } from './plot/words.js';
 import { counted, feet, longLength, metres, shortCoordinate, time, whole } from './words.js';
 
-/** @typedef {import('nctape').Summary} Summary */
+/** @typedef {import('./store.js').Summary} Summary */
 /** @typedef {[name: string, value: string, ...(Node | string)[]]} Part */
 
 /**
@@ -19,7 +19,7 @@ export function makeTotals({ store, engine, kinds, openFormat, show }) {
   const box = byId('totals', HTMLElement);
   const times = lazily(async () => (await import('./speeds/times.js')).makeTimes({ store, engine, kinds, show, openFormat, closed }));
   const timesButton = button('small link', 'Block by block', toggleTimes, { 'aria-expanded': 'false', title: 'How long each block takes, beside the time of the reader' });
-  /** Why the time is not known. @type {{ sentence: string, field: string | null, block: import('nctape').BlockView | null } | null} */
+  /** Why the time is not known. @type {{ sentence: string, field: string | null, block: import('./store.js').BlockView | null } | null} */
   let reason = null;
   let speed = 0;
   /** @type {import('nctape').Format | null} */
@@ -47,7 +47,7 @@ export function makeTotals({ store, engine, kinds, openFormat, show }) {
     /** @type {Part[][]} */
     const lines = [
       [
-        ['Tape', `${counted(summary.blocks, 'block')}, ${counted(totals.rows, 'row')}, ${metres(totals.tapeMillimetres)} (${feet(totals.tapeMillimetres)})`],
+        ['Tape', `${counted(summary.posted?.blocks ?? summary.blocks, 'block')}, ${counted(totals.rows, 'row')}, ${metres(totals.tapeMillimetres)} (${feet(totals.tapeMillimetres)})`],
         ['Reading', `${time(totals.rows / speed)} at ${whole(speed)} rows/s`],
       ],
       [
@@ -55,7 +55,7 @@ export function makeTotals({ store, engine, kinds, openFormat, show }) {
         ['Rapid', longLength(totals.rapid, unit)],
         ['Within', bounds === null ? 'no motion' : boxWords(bounds, summary)],
       ],
-      [['Machining', summary.spans === 0 ? 'no motion' : time(totals.seconds), ...why(), ' ', timesButton]],
+      [['Machining', summary.spans === 0 ? 'no motion' : time(totals.seconds), ...why(), ' ', summary.posted === undefined ? timesButton : '']],
     ];
     box.replaceChildren(
       ...lines.map((parts) =>

@@ -1,40 +1,45 @@
 // The worker owns the wasm and the one live tape. It answers in the order in which it is asked; what came in one
 // message is answered in one.
 import * as nctape from 'nctape';
+import { CldataSource, cldataQuestions } from './cldata/source.js';
 import { tapePicture } from './files/tape-picture.js';
 import { questions } from './questions.js';
 import { timed } from './timing.js';
 
-/** @typedef {{ summary: import('nctape').Summary, here: import('./store.js').Here }} Change */
+/** @typedef {{ summary: import('./store.js').Summary, here: import('./store.js').Here }} Change */
 
-/** @type {nctape.Tape | null} */
-let tape = null;
+/** @type {nctape.Tape | CldataSource | null} */
+let open = null;
 
-const tapeOrThrow = () => {
-  if (tape === null) throw new Error('no tape is open');
-  return tape;
+const openOrThrow = () => {
+  if (open === null) throw new Error('nothing is open');
+  return open;
 };
 
 /**
- * @param {nctape.Tape} on
+ * @param {nctape.Tape | CldataSource} on
  * @param {number} offset  of the cursor, which every change moves
  * @returns {Change}
  */
-const changed = (on, offset) => ({ summary: on.summary(), here: questions.locate(on, offset) });
+const changed = (on, offset) => ({
+  summary: on.summary(),
+  here: on instanceof CldataSource ? cldataQuestions.locate(on, offset) : questions.locate(on, offset),
+});
 
-/** What changes the tape. Each answers with the counts and the place of the cursor after it. */
+/** What changes the tape or the CLDATA. Each answers with the counts and the place of the cursor after it. */
 const changes = {
   /**
    * @param {string} source
    * @param {import('nctape').Format} format
+   * @param {import('nctape').SourceKind} kind
    * @param {boolean} skip
    * @param {number} offset
    */
-  open(source, format, skip, offset) {
-    const next = new nctape.Tape(source, format, { skip });
-    tape?.free();
-    tape = next;
-    return changed(tape, offset);
+  open(source, format, kind, skip, offset) {
+    const next = kind === 'cldata' ? new CldataSource(source, format) : new nctape.Tape(source, format, { skip });
+    open?.free();
+    open = next;
+    return changed(open, offset);
   },
   /**
    * @param {[from: number, to: number, insert: string][]} edits  from the last one to the first
@@ -43,7 +48,11 @@ const changes = {
    * @param {number} offset
    */
   alter(edits, format, skip, offset) {
-    const on = tapeOrThrow();
+    const on = openOrThrow();
+    if (on instanceof CldataSource) {
+      on.alter(edits, format);
+      return changed(on, offset);
+    }
     for (const [from, to, insert] of edits) on.edit(from, to, insert);
     if (format !== null) on.setFormat(format);
     if (skip !== null) on.setSkip(skip);
@@ -82,6 +91,20 @@ const facts = {
   toDecimal: nctape.toDecimal,
   tapePicture,
   /**
+   * The report on CLDATA, with what was found when it was posted to a format.
+   * @param {string} source
+   * @param {import('nctape').Format} format
+   * @param {number} limit
+   */
+  checkPosted(source, format, limit) {
+    const report = nctape.checkCldata(source, { limit: 0 });
+    const cldata = new nctape.Cldata(source, format);
+    const diagnostics = cldata.diagnostics(0, source.length, limit);
+    const { errors, warnings, infos } = cldata.summary();
+    cldata.free();
+    return { ...report, diagnostics, suppressed: errors + warnings + infos - diagnostics.length };
+  },
+  /**
    * The 256 columns of tape as one picture.
    * @param {number} pitch
    * @param {'light' | 'dark'} theme
@@ -94,7 +117,7 @@ const facts = {
 
 /** @typedef {typeof changes} Changes */
 /** @typedef {typeof facts} Facts */
-/** @typedef {typeof questions} Questions */
+/** @typedef {typeof questions & Omit<typeof cldataQuestions, keyof typeof questions>} Questions */
 
 /** @typedef {{ id: number, about: string, name: string, args: any[] }} Request */
 
@@ -105,10 +128,14 @@ function answer({ about, name, args }) {
     return change(...args);
   }
   if (about === 'tape') {
-    const question = /** @type {(tape: nctape.Tape, ...args: any[]) => unknown} */ (
-      questions[/** @type {keyof Questions} */ (name)]
+    const on = openOrThrow();
+    const known = /** @type {Record<string, (on: any, ...args: any[]) => unknown>} */ (
+      on instanceof CldataSource ? cldataQuestions : questions
     );
-    return question(tapeOrThrow(), ...args);
+    if (name in known) return known[name](on, ...args);
+    // What only a tape is asked; and what only CLDATA is, where it is open no longer.
+    const asked = /** @type {Record<string, (on: any, ...args: any[]) => unknown>} */ (questions)[name];
+    return on instanceof CldataSource ? asked(on.tape, ...args) : undefined;
   }
   return /** @type {(...args: any[]) => unknown} */ (facts[/** @type {keyof Facts} */ (name)])(...args);
 }

@@ -18,12 +18,28 @@ const TAPE = {
   cursor: 9,
 };
 
+const CLDATA = /** @type {const} */ ({
+  source: "1,5000,3,'',0,.,.,.;\n2,5000,5,'',0,10.,.,.;\n3,14000;\n:\n",
+  format: TAPE.format,
+  cursor: 22,
+  kind: 'cldata',
+});
+
 /** @param {unknown} held @param {string} [mark] */
 const link = (held, mark = '#1.') => mark + deflateRawSync(typeof held === 'string' ? held : JSON.stringify(held)).toString('base64url');
 
 test('a link of version 1 opens', async () => {
   const kept = readFileSync(new URL('../links/version-1.txt', import.meta.url), 'utf8').trim();
   assert.deepEqual(await readLink(kept), { tape: TAPE });
+});
+
+test('a link of version 1 opens CLDATA, too', async () => {
+  const kept = readFileSync(new URL('../links/version-1-cldata.txt', import.meta.url), 'utf8').trim();
+  assert.deepEqual(await readLink(kept), { tape: CLDATA });
+  assert.deepEqual(await readLink(await linkOf(CLDATA)), { tape: CLDATA });
+  const { kind: _, ...tape } = CLDATA;
+  assert.deepEqual(await readLink(await linkOf({ ...tape, kind: 'tape' })), { tape }, 'a tape needs no word');
+  assert.deepEqual(await readLink(link({ ...TAPE, kind: 'apt' })), { tape: TAPE }, 'an unknown word is none');
 });
 
 test('what was shared is what is opened', async () => {

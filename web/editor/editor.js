@@ -6,9 +6,11 @@ import sharedStyle from '../style/shared.css?inline';
 import { formatField, formatWithUndo, setFormat, undoTo } from './format-field.js';
 import { blockGutter } from './gutter.js';
 import { keys } from './keys.js';
+import { kindField, kindWithUndo, setKind } from './kind-field.js';
 import { litField } from './lit.js';
 import { liveMarks, marksField } from './marks.js';
 import { closedParentheses } from './parentheses.js';
+import { scrollWithin } from './scroll.js';
 import { theme } from './theme.js';
 import { problemTooltip } from './tooltip.js';
 import { typeOver } from './type-over.js';
@@ -16,7 +18,7 @@ import { typeOver } from './type-over.js';
 /** @typedef {import('nctape').Format} Format */
 /** @typedef {import('nctape').Diagnostic} Diagnostic */
 
-/** @typedef {'tape' | 'path' | 'problems' | 'paste' | 'replay'} Mover */
+/** @typedef {'tape' | 'path' | 'problems' | 'paste' | 'replay' | 'posted'} Mover */
 
 /** Which view moved the cursor, where it was not the editor. @type {import('@codemirror/state').AnnotationType<Mover>} */
 export const movedBy = Annotation.define();
@@ -36,12 +38,7 @@ export const movedBy = Annotation.define();
 
 /** @param {Parts} parts */
 export function makeEditor({ host, format, kinds, ask, card, goToProblem, leave, onUpdate, more = [] }) {
-  // In a shadow root CodeMirror adopts its style sheets: the page needs no inline style.
-  const root = host.attachShadow({ mode: 'open' });
-  const style = new CSSStyleSheet();
-  style.replaceSync(sharedStyle);
-  root.adoptedStyleSheets = [style];
-
+  const root = shadowRoot(host);
   const marks = liveMarks(ask, kinds);
   const view = new EditorView({
     root,
@@ -49,6 +46,7 @@ export function makeEditor({ host, format, kinds, ask, card, goToProblem, leave,
     state: EditorState.create({
       extensions: [
         formatWithUndo(format),
+        kindWithUndo,
         history(),
         closedParentheses,
         typeOver,
@@ -67,7 +65,7 @@ export function makeEditor({ host, format, kinds, ask, card, goToProblem, leave,
           ...keys,
         ]),
         EditorView.contentAttributes.of({
-          'aria-label': 'Program of the tape. Escape leaves it.',
+          'aria-label': 'Program. Escape leaves it.',
           spellcheck: 'false',
           autocorrect: 'off',
           autocapitalize: 'off',
@@ -82,6 +80,18 @@ export function makeEditor({ host, format, kinds, ask, card, goToProblem, leave,
   return { view, refreshMarks: () => marks.refresh(view), marksWanted: () => marks.wanted(view) };
 }
 
+/**
+ * In a shadow root CodeMirror adopts its style sheets: the page needs no inline style.
+ * @param {HTMLElement} host
+ */
+export function shadowRoot(host) {
+  const root = host.attachShadow({ mode: 'open' });
+  const style = new CSSStyleSheet();
+  style.replaceSync(sharedStyle);
+  root.adoptedStyleSheets = [style];
+  return root;
+}
+
 /** @param {EditorView} view */
 export function insertTab(view) {
   view.dispatch(view.state.replaceSelection('\t'), { scrollIntoView: true, userEvent: 'input' });
@@ -90,6 +100,22 @@ export function insertTab(view) {
 
 /** @param {EditorView} view */
 export const currentFormat = (view) => view.state.field(formatField);
+
+/** @param {EditorView} view */
+export const currentKind = (view) => view.state.field(kindField);
+
+/**
+ * Makes the edits of a fix, and reads the text in another language from then on where it says so.
+ * @param {EditorView} view
+ * @param {import('nctape').Fix} fix
+ */
+export const mend = (view, { edits, kind }) =>
+  view.dispatch({
+    changes: edits,
+    effects: kind === undefined ? [] : setKind.of(kind),
+    userEvent: 'input.fix',
+    scrollIntoView: true,
+  });
 
 /**
  * @param {EditorView} view
@@ -114,16 +140,16 @@ export const keepFormat = (view, began) =>
   view.dispatch({ effects: setFormat.of(currentFormat(view)), annotations: undoTo.of(began), userEvent: 'input.format' });
 
 /**
- * Replaces the text and the format, undone as one; the first tape cannot be undone.
+ * Replaces the text, the format and what the text is, undone as one; the first one cannot be undone.
  * @param {EditorView} view
- * @param {{ source: string, format: Format, cursor: number }} tape
+ * @param {{ source: string, format: Format, cursor: number, kind?: import('nctape').SourceKind }} whole
  * @param {{ isFirst?: boolean }} [options]
  */
-export function replaceAll(view, { source, format, cursor }, { isFirst = false } = {}) {
+export function replaceAll(view, { source, format, cursor, kind = 'tape' }, { isFirst = false } = {}) {
   view.dispatch({
     changes: { from: 0, to: view.state.doc.length, insert: source },
     selection: { anchor: Math.min(cursor, source.length) },
-    effects: setFormat.of(format),
+    effects: [setFormat.of(format), setKind.of(kind)],
     userEvent: 'input.replace',
     annotations: isFirst ? Transaction.addToHistory.of(false) : [],
   });
@@ -150,38 +176,4 @@ export function moveCursor(view, offset, by, to = offset) {
   // A replay runs through the rows of a line: the line comes into sight, and does not move to and fro.
   const seen = by === 'replay' ? view.state.doc.lineAt(anchor).from : anchor;
   if (!isAsked) scrollWithin(view, seen, by === 'tape' || by === 'replay' ? 'nearest' : 'center');
-}
-
-/** So far from the edges a line comes to lie. */
-const MARGIN = 60;
-
-/**
- * Brings a place into sight within the editor, and moves nothing around it.
- * @param {EditorView} view
- * @param {number} offset
- * @param {'nearest' | 'center'} where
- */
-function scrollWithin(view, offset, where) {
-  const { scrollDOM } = view;
-  view.requestMeasure({
-    key: scrollWithin,
-    read: () => view.lineBlockAt(Math.min(offset, view.state.doc.length)),
-    write({ top, bottom }) {
-      const { clientHeight, scrollTop } = scrollDOM;
-      const margin = Math.min(MARGIN, clientHeight / 3);
-      if (where === 'nearest' && top - margin >= scrollTop && bottom + margin <= scrollTop + clientHeight) return;
-      const toTop = top - margin;
-      const toBottom = bottom + margin - clientHeight;
-      scrollDOM.scrollTop = where === 'center' ? (top + bottom - clientHeight) / 2 : toTop < scrollTop ? toTop : toBottom;
-    },
-  });
-  // Across, once the line is there.
-  requestAnimationFrame(() => {
-    const at = offset <= view.state.doc.length ? view.coordsAtPos(offset) : null;
-    if (at === null) return;
-    const box = scrollDOM.getBoundingClientRect();
-    const margin = Math.min(MARGIN, box.width / 3);
-    if (at.left < box.left + margin) scrollDOM.scrollLeft -= box.left + margin - at.left;
-    else if (at.right > box.right - margin) scrollDOM.scrollLeft += at.right - box.right + margin;
-  });
 }

@@ -120,7 +120,7 @@ function marksFor({ syntax, diagnostics }, doc, kinds) {
   };
 }
 
-const roleMarks = [Decoration.mark({ class: 'cm-address' }), Decoration.mark({ class: 'cm-sequence' })];
+const roleMarks = ['address', 'sequence', 'type', 'literal', 'kept'].map((role) => Decoration.mark({ class: `cm-${role}` }));
 
 /** @param {Syntax} syntax */
 function* wordMarks({ ranges, roles }) {

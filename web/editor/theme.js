@@ -26,6 +26,9 @@ export const theme = EditorView.theme({
   },
   '.cm-sequence': { color: 'var(--muted)' },
   '.cm-address': { color: 'var(--address)', fontWeight: '600' },
+  '.cm-type': { color: 'var(--muted)' },
+  '.cm-literal': { color: 'var(--literal)' },
+  '.cm-kept': { fontStyle: 'italic', color: 'var(--muted)' },
   '.cm-lit': { backgroundColor: 'var(--lit)', boxShadow: 'inset 3px 0 0 var(--accent)' },
   '.cm-chosen': { outline: '2px solid var(--accent)', outlineOffset: '0', borderRadius: '2px' },
   '.cm-squiggle': {

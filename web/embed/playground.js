@@ -1,7 +1,7 @@
 // Ties the views of the frame to one tape, and tells the page around what becomes of it.
 import { Compartment, EditorState } from '@codemirror/state';
 import { byId, whenQuiet } from '../dom.js';
-import { changeFormat, currentFormat, makeEditor, movedBy, moveCursor, replaceAll } from '../editor/editor.js';
+import { changeFormat, currentFormat, currentKind, makeEditor, movedBy, moveCursor, replaceAll } from '../editor/editor.js';
 import { light } from '../editor/lit.js';
 import { makePlot } from '../plot/plot.js';
 import { problemCard } from '../problem-card.js';
@@ -40,7 +40,7 @@ export function makePlayground({ store, engine, kinds }) {
   /** The text was replaced as a whole, and the engine has not answered yet. */
   let replaced = true;
 
-  const rulePage = makeRulePage({ engine, standard: () => store.state.format.standard, load: null });
+  const rulePage = makeRulePage({ engine, format: () => store.state.format, load: null });
   /** @type {import('../problem-card.js').Deeds} */
   const deeds = {
     apply({ edits, format }) {
@@ -48,6 +48,8 @@ export function makePlayground({ store, engine, kinds }) {
       if (edits !== undefined) editor.dispatch({ changes: edits, userEvent: 'input.fix', scrollIntoView: true });
       if (format !== undefined) changeFormat(editor, format);
     },
+    // The frame shows tapes alone.
+    takes: ({ kind }) => kind === undefined,
     openRule: (rule) => void rulePage.open(rule),
     show({ from, to }) {
       store.set({ chosen: { from, to } });
@@ -79,7 +81,7 @@ export function makePlayground({ store, engine, kinds }) {
   const problems = makeProblems({ store, engine, deeds, textLength: () => editor.state.doc.length, cursor: () => editor.state.selection.main.from });
   makePlot({ store, engine, kinds, onBlock: (offset) => moveCursor(editor, offset, 'path') });
   const goal = goalTeller(store, engine);
-  const fullPage = makeFullPage(whole);
+  const fullPage = makeFullPage(() => ({ ...whole(), kind: currentKind(editor) }));
 
   engine.foresee(() => [['listing', ...marksWanted()]]);
   store.on(['summary'], () => void refreshMarks());

@@ -14,10 +14,12 @@ const MOST_PROBLEMS = 100_000;
  * @param {import('../store.js').Store} parts.store
  * @param {import('../engine.js').Engine} parts.engine
  * @param {() => string} parts.source
+ * @param {() => Promise<string>} parts.listing  of the tape
  */
-export function makeExports({ store, engine, source }) {
+export function makeExports({ store, engine, source, listing }) {
   const report = () => {
-    const { format, skip } = store.state;
+    const { format, skip, kind } = store.state;
+    if (kind === 'cldata') return engine.fact('checkPosted', source(), format, MOST_PROBLEMS);
     return engine.fact('check', source(), format, { skip, limit: MOST_PROBLEMS });
   };
   const plot = () => /** @type {HTMLCanvasElement} */ (document.getElementById('plot-canvas'));
@@ -50,9 +52,10 @@ export function makeExports({ store, engine, source }) {
       const sheet = el(
         'article',
         { class: 'sheet' },
-        el('h1', null, 'NC tape'),
+        el('h1', null, store.state.kind === 'cldata' ? 'CLDATA' : 'NC tape'),
         el('p', null, `Format: ${line}`),
         el('pre', null, source()),
+        ...(store.state.kind === 'tape' ? [] : [el('h2', null, 'The tape that it became'), el('pre', null, await listing())]),
         el('h2', null, 'Problems'),
         found.diagnostics.length === 0
           ? el('p', null, 'Nothing to object to.')

@@ -74,7 +74,7 @@ export function makeOpen({ store, engine, load, show, openRule, close }) {
     }
     const opened = await engine.fact('openFile', bytes, store.state.format);
     // As the editor has its line ends, which offsets count.
-    load({ source: opened.text.replace(/\r\n?/g, '\n'), format: opened.format, cursor: 0 });
+    load({ source: opened.text.replace(/\r\n?/g, '\n'), format: opened.format, cursor: 0, kind: opened.language });
     tell(file.name, bytes.length, opened);
   }
 

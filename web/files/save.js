@@ -11,14 +11,15 @@ import { MOST_ROWS, ROWS_IN_LINE } from './limits.js';
  * @param {import('../store.js').Store} parts.store
  * @param {import('../engine.js').Engine} parts.engine
  * @param {() => string} parts.source
+ * @param {() => Promise<string>} parts.listing  of the tape; of CLDATA, of the one that it became
  * @param {() => void} parts.close  the menu
  */
-export function makeSave({ store, engine, source, close }) {
+export function makeSave({ store, engine, source, listing, close }) {
   const note = byId('save-note', HTMLElement);
 
   /** The rows of the tape, the letters in the leader before them. */
   async function rows() {
-    const punched = await engine.fact('encode', source(), store.state.format);
+    const punched = await engine.fact('encode', await listing(), store.state.format);
     const { leader } = store.state;
     const all = new Uint8Array(leader.length + punched.length);
     all.set(leader);
@@ -27,8 +28,12 @@ export function makeSave({ store, engine, source, close }) {
   }
 
   const named = (/** @type {string} */ ending) => `tape.${ending}`;
-  byId('save-listing', HTMLElement).addEventListener('click', () => {
-    give(new Blob([source()], { type: 'text/plain' }), named('txt'));
+  byId('save-cldata', HTMLElement).addEventListener('click', () => {
+    give(new Blob([source()], { type: 'text/plain' }), 'cldata.txt');
+    close();
+  });
+  byId('save-listing', HTMLElement).addEventListener('click', async () => {
+    give(new Blob([await listing()], { type: 'text/plain' }), named('txt'));
     close();
   });
   byId('save-rows', HTMLElement).addEventListener('click', async () => {
@@ -36,7 +41,7 @@ export function makeSave({ store, engine, source, close }) {
     close();
   });
   byId('save-decimal', HTMLElement).addEventListener('click', async () => {
-    const { text, diagnostics } = await engine.fact('toDecimal', source(), store.state.format, 'linuxcnc');
+    const { text, diagnostics } = await engine.fact('toDecimal', await listing(), store.state.format, 'linuxcnc');
     give(new Blob([text], { type: 'text/plain' }), named('ngc'));
     const said = diagnostics.map(({ message }) => message);
     if (said.length > 0) notice(lacking(named('ngc'), said));
@@ -56,7 +61,7 @@ export function makeSave({ store, engine, source, close }) {
     close();
   });
 
-  const exports = lazily(async () => (await import('./exports.js')).makeExports({ store, engine, source }));
+  const exports = lazily(async () => (await import('./exports.js')).makeExports({ store, engine, source, listing }));
   for (const name of /** @type {const} */ (['path', 'spans', 'report', 'problems', 'print'])) {
     byId(`save-${name}`, HTMLElement).addEventListener('click', async () => {
       close();

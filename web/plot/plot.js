@@ -1,4 +1,5 @@
 // The path of the tool, in one plane.
+import { pieceWord } from '../cldata/kind.js';
 import { button, byId, el, onceAFrame } from '../dom.js';
 import { mono, palette } from '../palette.js';
 import { firstAtOrAfter } from '../sorted.js';
@@ -13,7 +14,8 @@ import { CutterPath } from './cutter.js';
 import { KeptPicture } from './kept.js';
 import { patched } from './patch.js';
 import { AXES, isAnotherSize, isSeen, PLANES, View } from './view.js';
-import { placeLine, spanCaption, spanLine, spanRows } from './words.js';
+import { sentence } from '../words.js';
+import { blockName, placeLine, spanCaption, spanLine, spanRows } from './words.js';
 
 /** @typedef {import('../store.js').Store} Store */
 /** @typedef {import('../engine.js').Engine} Engine */
@@ -223,7 +225,7 @@ export function makePlot({ store, engine, kinds, onBlock }) {
       caption.textContent = spanCaption(here.span, here.block);
       rows.replaceChildren(...spanRows(here.span, summary));
     } else {
-      caption.textContent = here?.block ? `${here.block.sequence ?? 'This block'} moves nothing` : 'No block under the cursor';
+      caption.textContent = here?.block ? `${sentence(blockName(here.block))} moves nothing` : `No ${pieceWord(store.state)} under the cursor`;
       rows.replaceChildren();
     }
   }
@@ -281,8 +283,8 @@ export function makePlot({ store, engine, kinds, onBlock }) {
   /** @param {number | null} index */
   async function goToSpan(index) {
     if (index === null || path === null || index < 0 || index >= path.kinds.length) return;
-    const block = await engine.ask('block', path.blocks[2 * index]);
-    if (block) onBlock(block.from);
+    const offset = await engine.ask('spanPlace', index);
+    if (offset !== undefined && offset !== null) onBlock(offset);
   }
 
   byId('zoom-in', HTMLElement).addEventListener('click', () => zoom(1.25));

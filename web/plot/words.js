@@ -4,8 +4,8 @@ import { coordinate, degrees, feed, length, sentence, time } from '../words.js';
 import { AXES } from './view.js';
 
 /** @typedef {import('nctape').Span} Span */
-/** @typedef {import('nctape').Summary} Summary */
-/** @typedef {import('nctape').BlockView} BlockView */
+/** @typedef {import('../store.js').Summary} Summary */
+/** @typedef {import('../store.js').BlockView} BlockView */
 
 /**
  * "X 44.142  Y 55.858  Z 10.000"
@@ -19,7 +19,7 @@ const place = (point, { axes, unit }) =>
  * What a block is called: its number, or else its place in the tape.
  * @param {BlockView | null} block
  */
-export const blockName = (block) => (block === null ? '' : (block.sequence ?? `block ${block.index + 1}`));
+export const blockName = (block) => (block === null ? '' : (block.called ?? block.sequence ?? `block ${block.index + 1}`));
 
 /**
  * "Arc to X 44.142 Y 55.858 · 15.708 mm · 297 mm/min · 3.2 s · N006"

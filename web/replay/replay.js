@@ -198,8 +198,14 @@ export function makeReplay({ store, engine, onPlace }) {
   }
 
   async function refresh() {
-    const course = await engine.ask('course');
+    // CLDATA has no rows to run through the head: what it became is replayed when it is opened as a tape.
+    const course = store.state.kind === 'tape' ? await engine.ask('course') : null;
     if (course === undefined) return;
+    if (course === null || store.state.kind !== 'tape') {
+      track = null;
+      store.set({ track, moment: null, held: null, heldBlock: null });
+      return;
+    }
     track = new Track(course);
     stale = false;
     store.set({ track });

@@ -16,8 +16,9 @@ const MARK = '#1.';
  * The part of the address from the # on; it may be longer than what is shared.
  * @param {Whole} tape
  */
-export async function linkOf({ source, format, cursor }) {
-  const text = new TextEncoder().encode(JSON.stringify({ source, format, cursor }));
+export async function linkOf({ source, format, cursor, kind }) {
+  // Of a tape as it always was; an older page reads CLDATA as a tape, and says what it is.
+  const text = new TextEncoder().encode(JSON.stringify({ source, format, cursor, ...(kind === 'cldata' && { kind }) }));
   const packed = await through(text, new CompressionStream('deflate-raw'), Infinity);
   const letters = btoa(Array.from(packed, (byte) => String.fromCharCode(byte)).join(''));
   return MARK + letters.replaceAll('+', '-').replaceAll('/', '_').replaceAll('=', '');

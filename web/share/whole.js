@@ -1,6 +1,6 @@
 // A tape with all that opens it, as it comes from a link or from what the browser keeps: nothing of it is believed.
 
-/** @typedef {{ source: string, format: import('nctape').Format, cursor: number }} Whole */
+/** @typedef {{ source: string, format: import('nctape').Format, cursor: number, kind?: import('nctape').SourceKind }} Whole  left out, it is a tape */
 
 /** Characters of a text that is taken from there: a hundred times what the longest link is made of here. */
 export const MOST_TEXT = 800_000;
@@ -13,9 +13,10 @@ export const MOST_TEXT = 800_000;
  */
 export function wholeOf(found, standards) {
   if (typeof found !== 'object' || found === null) return null;
-  const { source, format, cursor } = found;
+  const { source, format, cursor, kind } = found;
   if (typeof source !== 'string' || source.length > MOST_TEXT) return null;
   if (typeof format !== 'object' || format === null || typeof format.detail !== 'string') return null;
   if (!standards.includes(format.standard)) return null;
-  return { source, format, cursor: Number.isInteger(cursor) && cursor >= 0 ? cursor : 0 };
+  const whole = { source, format, cursor: Number.isInteger(cursor) && cursor >= 0 ? cursor : 0 };
+  return kind === 'cldata' ? { ...whole, kind } : whole;
 }

@@ -8,9 +8,9 @@ const BEGINNING = 4096;
  * @param {object} parts
  * @param {import('../store.js').Store} parts.store
  * @param {import('../engine.js').Engine} parts.engine
- * @param {() => { sliceString(from: number, to?: number): string, length: number }} parts.text
+ * @param {(characters: number) => Promise<string>} parts.beginning  of the listing of the tape
  */
-export function makeName({ store, engine, text }) {
+export function makeName({ store, engine, beginning }) {
   const opener = byId('name-button', HTMLButtonElement);
   const form = byId('name-form', HTMLFormElement);
   const field = byId('name', HTMLInputElement);
@@ -36,10 +36,10 @@ export function makeName({ store, engine, text }) {
     const written = field.value;
     // Letters are lettered without their accents.
     const plain = written.normalize('NFD').replace(/\p{M}/gu, '');
-    const doc = text();
+    const begins = await beginning(BEGINNING);
     const [rows, { advice, missing }] = await Promise.all([
       engine.fact('lettering', plain),
-      engine.fact('letteringNote', plain, doc.sliceString(0, Math.min(doc.length, BEGINNING))),
+      engine.fact('letteringNote', plain, begins),
     ]);
     if (field.value !== written) return;
     note.textContent = missing === '' ? advice : `There is no letter of holes for ${[...missing].join(' ')}. ${advice}`;

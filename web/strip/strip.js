@@ -250,7 +250,7 @@ export function makeStrip({ store, engine, kinds, onRow }) {
     redraw();
   });
   store.on(['here'], ({ here, moment }) => {
-    if (inLeader !== null && here?.offset === told) return;
+    if (inLeader !== null && (here?.posted?.at ?? here?.offset) === told) return;
     inLeader = null;
     told = -1;
     if (moment?.running) redraw();
@@ -301,7 +301,8 @@ export function makeStrip({ store, engine, kinds, onRow }) {
       if (summary.rows === 0) strip.setAttribute('aria-valuetext', 'The tape is empty.');
       return;
     }
-    const block = here.block?.sequence ?? null;
+    // Of CLDATA the cursor is on a record, and the row is of a block that it became.
+    const block = here.posted === undefined ? (here.block?.sequence ?? null) : windows.name(known.block);
     words.textContent = rowWords(row, summary.rows, block, meanings[known.byte]);
     card.showHead(known.byte, placeWords(row, summary.rows, block));
     // For the ear the rows that run by would be a chatter.

@@ -12,6 +12,7 @@ mod offsets;
 mod paper;
 mod path;
 mod post;
+mod records;
 mod replay;
 mod report;
 mod speeds;
@@ -32,6 +33,7 @@ pub use paper::{
     about_codes, lettering, lettering_note, on_machine_of, open_file, picture, reader_speed, row_words, why_untimed,
 };
 pub use post::postprocess;
+pub use records::Cldata;
 pub use speeds::{speed_codes, speed_of};
 pub use vocabulary::{code_table, format_fields, presets, rules, span_kinds, standards};
 

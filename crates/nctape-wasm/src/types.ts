@@ -360,8 +360,49 @@ export interface Syntax {
   kinds: Uint8Array;
   /** Start and end of each address, and of each sequence number as a whole. */
   ranges: Uint32Array;
-  /** For each of these: 0 an address, 1 a sequence number. */
+  /** For each of these: 0 an address, or a keyword of CLDATA; 1 a sequence number; of CLDATA also 2 a record type, 3 a literal, 4 a record that is kept and not interpreted. */
   roles: Uint8Array;
+}
+
+/** What CLDATA holds, in numbers; `edit` is the number of the edit that it answers. */
+export interface CldataSummary {
+  edit: number;
+  unit: "mm" | "inch";
+  axes: string[];
+  /** Records. */
+  blocks: number;
+  spans: number;
+  /** What was found in reading and in posting. */
+  errors: number;
+  warnings: number;
+  infos: number;
+  totals: Totals;
+  bounds: Summary["bounds"];
+  /** Posting it found errors: the tape lacks something. */
+  incomplete: boolean;
+}
+
+/** One record of CLDATA; its elements are `words`. */
+export interface RecordView extends Block {
+  index: number;
+  /** The first span that the record belongs to; null if it moves nothing. */
+  span: number | null;
+  /** "record 12". */
+  called: string;
+  type: number | null;
+  /** What it says, in a sentence or two. */
+  says: string;
+  /** It is kept, and not interpreted. */
+  kept: boolean;
+  /** The statement of the part program that it comes from, and the record that says so. */
+  statement: { record: number; number: number | null; identification: string; text: string | null } | null;
+}
+
+/** What holds when a record of CLDATA has been carried out: always the same registers in the same order. */
+export interface CldataState {
+  position: [number, number, number] | null;
+  /** Not `stated`: taken for granted, or not known. */
+  registers: { name: string; says: string; stated: boolean }[];
 }
 
 /**

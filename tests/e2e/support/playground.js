@@ -108,7 +108,7 @@ export async function quiet(page) {
  * @param {string} text
  */
 export async function paste(page, text) {
-  await page.locator('.cm-content').focus();
+  await page.locator('#editor .cm-content').focus();
   await page.keyboard.press('Control+a');
   await page.evaluate((pasted) => {
     const data = new DataTransfer();
@@ -123,7 +123,7 @@ export async function paste(page, text) {
  * The text of the editor, line by line as far as it is shown.
  * @param {Page} page
  */
-export const lines = (page) => page.locator('.cm-line').allTextContents();
+export const lines = (page) => page.locator('#editor .cm-line').allTextContents();
 
 /**
  * The first tape with faults put into it; its one note, on a minus zero, is taken out.
@@ -142,7 +142,7 @@ export async function pasteFaulty(page, faults = {}) {
  * @param {string} start  how the line begins
  */
 export async function goToLine(page, start) {
-  await page.locator('.cm-line', { hasText: start }).first().click({ position: { x: 14, y: 8 } });
+  await page.locator('#editor .cm-line', { hasText: start }).first().click({ position: { x: 14, y: 8 } });
   await page.keyboard.press('Home');
   await quiet(page);
 }

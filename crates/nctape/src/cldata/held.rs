@@ -36,13 +36,13 @@ impl Cldata {
         let mut tell = |name, says: String, stated| registers.push(Register { name, says, stated });
 
         let next = match (file.rapid, file.circle) {
-            (Some(_), Some(_)) => "along a circle at rapid traverse",
-            (Some(_), None) => "at rapid traverse",
+            (Some(_), Some(_)) => "along a circle, at rapid",
+            (Some(_), None) => "straight, at rapid",
             (None, Some(_)) => "along a circle",
-            (None, None) if file.cycle => "a cycle at each position",
-            (None, None) => "a straight line at the feed",
+            (None, None) if file.cycle => "a cycle at its end",
+            (None, None) => "straight, at the feed",
         };
-        tell("Next motion", next.to_owned(), file.rapid.is_some() || file.circle.is_some() || file.cycle);
+        tell("Next", next.to_owned(), file.rapid.is_some() || file.circle.is_some() || file.cycle);
         let per = match file.per {
             Per::Minute => format!("{unit}/min"),
             Per::Revolution => format!("{unit}/rev"),
@@ -59,7 +59,7 @@ impl Cldata {
             _ if !file.spindle_is_told => "not stated".to_owned(),
             (false, _) => "off".to_owned(),
             (true, None) => format!("on{way}"),
-            (true, Some(speed)) => format!("{} rev/min{way}", figure(speed)),
+            (true, Some(speed)) => format!("{} rev/min{way}", figure((speed * 10.0).round() / 10.0)),
         };
         tell("Spindle", spindle, file.spindle_is_told);
         let coolant = file.coolant.map(|word| super::says::minor(&word.word()));

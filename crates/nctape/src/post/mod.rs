@@ -32,7 +32,7 @@ mod motion;
 mod posting;
 mod source;
 
-use crate::cldata;
+use crate::cldata::{self, Cldata};
 use crate::convert::Converted;
 use crate::format::{Control, Format, choices};
 use posting::Poster;
@@ -85,9 +85,19 @@ pub fn postprocess(cldata: &str, to: &Format) -> Converted {
 
 /// The same, otherwise than by default.
 pub fn postprocess_with(cldata: &str, to: &Format, options: &Options) -> Converted {
+    post(&Source::read(cldata, &options.reading), to, options)
+}
+
+/// The same, with what is found in the text itself: the reference language is read once for both.
+pub fn read_and_post(cldata: &str, to: &Format, options: &Options) -> (Cldata, Converted) {
     let source = Source::read(cldata, &options.reading);
+    let posted = post(&source, to, options);
+    (source.into_cldata().unwrap_or_else(|| Cldata::new(cldata, &options.reading)), posted)
+}
+
+fn post(source: &Source, to: &Format, options: &Options) -> Converted {
     let control = Control::new(to);
-    let posted = Poster::new(&source, &control, options, false).post();
+    let posted = Poster::new(source, &control, options, false).post();
     // That a tape is incomplete is known at its end and said at its start.
-    if posted.is_incomplete() { Poster::new(&source, &control, options, true).post() } else { posted }
+    if posted.is_incomplete() { Poster::new(source, &control, options, true).post() } else { posted }
 }

@@ -27,6 +27,11 @@ impl Source {
         }
     }
 
+    /// What was read, where that is the text as given.
+    pub(super) fn into_cldata(self) -> Option<Cldata> {
+        self.statements.is_none().then_some(self.cldata)
+    }
+
     /// A record in the text as given.
     pub(super) fn record(&self, record: usize) -> Range<usize> {
         self.given(self.cldata.record_range(&self.cldata.records()[record]))
