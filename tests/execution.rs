@@ -4,7 +4,7 @@
 #![allow(clippy::disallowed_methods)]
 
 use nctape::format::value::Positive;
-use nctape::format::{ArcCentre, ArcParameters, CurveKind, FeedCoding, Format, ParabolaParameters, Standard};
+use nctape::format::{ArcCentre, ArcParameters, CurveKind, FeedCoding, Format, ParabolaParameters, SetPoint, Standard};
 use nctape::span::{Geometry, Span};
 use nctape::{Severity, Tape};
 
@@ -179,6 +179,52 @@ fn a_rotary_axis_adds_no_length() {
     let tape = run(&format, &["G01B+090000F0300", "X+001000M30"]);
     assert_eq!(tape.totals().cutting, 10.0);
     assert_eq!(tape.spans().end(0), [0.0, 0.0, 0.0, 90.0]);
+}
+
+/// U, V and W are motions parallel to X, Y and Z (ISO 2539 B.1): lengths, and no angles.
+#[test]
+fn a_secondary_axis_has_a_length_where_the_primary_ones_stand() {
+    let mut format = Format::new(Standard::Iso2539, "N3G2X+33W+33B33F4M2*").classified("CAMD 433");
+    format.itemized.feed = Some(FeedCoding::Direct);
+    format.itemized.rapid = Some(Positive(2000.0));
+    let blocks = ["G01X+003000F0100", "W-020000", "W+030000B090000", "X+007000W+034000", "B000000", "G00W+000000M30"];
+    let tape = run(&format, &blocks);
+    let spans: Vec<_> = tape.spans().list.iter().map(|span| (span.length, span.angular, span.seconds)).collect();
+    let expected = [
+        (3.0, false, 1.8),
+        (20.0, false, 12.0),
+        // The rotary axis goes along.
+        (50.0, false, 30.0),
+        (4.0, false, 2.4),
+        (90.0, true, 54.0),
+        (34.0, false, 1.02),
+    ];
+    assert_eq!(spans.len(), expected.len());
+    for ((length, angular, seconds), (wanted, turns, time)) in spans.into_iter().zip(expected) {
+        assert_eq!((length, angular), (wanted, turns));
+        assert!(seconds.is_some_and(|seconds| (seconds - time).abs() < 1e-12), "{seconds:?} {time}");
+    }
+    assert_eq!((tape.totals().cutting, tape.totals().rapid), (77.0, 34.0));
+}
+
+#[test]
+fn the_number_of_a_reciprocal_says_nothing_of_a_thread() {
+    let mut format = Format::new(Standard::Iso2539, "N3G2X+33Y+33Z+33I+33J+33K+33F4S4T2M2*").classified("CAM 333");
+    format.itemized.feed = Some(FeedCoding::TimeReciprocal);
+    let blocks = ["G01X+010000F0030S0500M03", "G33Z-020000K+002000F0002", "Z-030000F0000", "M30"];
+    let tape = run(&format, &blocks);
+    assert!(!ids(&tape, Severity::Info).contains(&"FEED-03"), "{:?}", ids(&tape, Severity::Info));
+    assert_eq!(tape.spans().list[1].feed, Some(1000.0));
+}
+
+/// Beyond 2^53 increments one of them may be no step of a number any more: no span is of length zero.
+#[test]
+fn a_step_that_no_number_shows_is_no_span() {
+    let mut format = Format::new(Standard::Iso2539, "N3G2XD63YD63F4M2*").classified("CAM 222");
+    format.itemized.set_point = Some(SetPoint::InOrder(vec![1e15]));
+    let tape = run(&format, &["G01X+000000001F0300", "Y+000000001M30"]);
+    assert!(tape.spans().list.iter().all(|span| span.length > 0.0), "{:?}", tape.spans().list);
+    assert_eq!(tape.spans().list.len(), 1);
 }
 
 #[test]

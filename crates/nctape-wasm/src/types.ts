@@ -110,7 +110,10 @@ export interface Span {
   tangent?: number[];
   /** Curve: the two control points between its ends, as of a Bézier cubic. */
   control?: number[][];
-  /** Of a rotary axis that moves alone, in turns or degrees; 0 of a dwell, and of nothing else. */
+  /**
+   * Along X, Y and Z; where those stand still, along the axes parallel to them (U, V, W, P, Q, R); of a rotary axis that
+   * moves alone, in turns or degrees; 0 of a dwell, and of nothing else.
+   */
   length: number;
   /** Unit per minute along the path; turns or degrees per minute of a rotary axis that moves alone. */
   feed: number | null;

@@ -97,9 +97,12 @@ pub struct Span {
     pub start: [f64; 3],
     /// Where X, Y and Z are at its end: the programmed point to the bit.
     pub end: [f64; 3],
-    /// Its length in the unit of the format: along X, Y and Z, or of the other axes where those stand still, in their own
-    /// unit, which for a rotary axis is turns or degrees. Zero of a dwell and of nothing else.
+    /// Its length in the unit of the format: along X, Y and Z; where those stand still, along the axes parallel to them
+    /// (U, V, W, and P, Q, R as tertiary motions, B.1); where those do, too, of the rotary axes, in turns or degrees.
+    /// Zero of a dwell and of nothing else.
     pub length: f64,
+    /// Rotary axes move alone: the length is an angle.
+    pub angular: bool,
     /// Unit per minute along the path, and of a rotary axis that moves alone turns or degrees per minute (ISO 2539
     /// A.2.1); `None` where it is not known.
     pub feed: Option<f64>,
@@ -219,7 +222,7 @@ impl Spans {
 }
 
 impl Span {
-    /// X, Y and Z stand still: another axis moves alone, or none while the tool dwells. There is no length along the path.
+    /// X, Y and Z stand still: another axis moves alone, or none while the tool dwells. There is nothing to be drawn.
     pub(crate) fn is_still(&self) -> bool {
         self.geometry == Geometry::Line && self.start == self.end
     }

@@ -153,6 +153,7 @@ fn span(quarter: &Quarter) -> Span {
         geometry: Geometry::Arc(arc),
         start: at(start_angle),
         end: at(start_angle + FRAC_PI_2),
+        angular: false,
         length: radius * FRAC_PI_2,
         feed: None,
         seconds: None,

@@ -107,6 +107,10 @@ pub const AWKWARD: &[Awkward] = &[
     Awkward { name: "comments in one block", make: comments_together, most: 100_000 },
     Awkward { name: "blocks behind an unclosed parenthesis", make: unclosed, most: 100_000 },
     Awkward { name: "parentheses, all of them opened", make: opened, most: 100_000 },
+    Awkward { name: "parentheses, all of them closed", make: closed, most: 100_000 },
+    Awkward { name: "words, a closed parenthesis behind each", make: closed_words, most: 100_000 },
+    Awkward { name: "words, an O in each", make: letters, most: 100_000 },
+    Awkward { name: "program starts without a block", make: empty_programs, most: 100_000 },
     Awkward { name: "program starts", make: program_starts, most: 100_000 },
     Awkward { name: "blocks of one number", make: one_number, most: 100_000 },
     Awkward { name: "blocks with optional block skip", make: skips, most: 100_000 },
@@ -147,6 +151,22 @@ fn unclosed(count: usize) -> String {
 
 fn opened(count: usize) -> String {
     each_block(count, |number| format!("N{number:07} G01 (X{:+07} F0300", number % 1000 + 1))
+}
+
+fn closed(count: usize) -> String {
+    format!("%\nN0000001 {}\n", ")".repeat(count))
+}
+
+fn closed_words(count: usize) -> String {
+    format!("%\nN0000001 {}\n", "X+001000)".repeat(count))
+}
+
+fn letters(count: usize) -> String {
+    format!("%\nN0000001 {}\n", "X0O".repeat(count))
+}
+
+fn empty_programs(count: usize) -> String {
+    "%AB\n".repeat(count)
 }
 
 fn program_starts(count: usize) -> String {

@@ -231,7 +231,7 @@ impl State<'_> {
         let feed = if kind == SpanKind::Rapid { None } else { self.feed_of(blocks.0) };
         let feed = feed.filter(|feed| feed.is_finite() && *feed > 0.0 && !substitute);
         let seconds = feed.map(|feed| length / feed * 60.0).filter(|seconds| seconds.is_finite());
-        let span = Span { kind, blocks, geometry, start, end, length, feed, seconds, substitute };
+        let span = Span { kind, blocks, geometry, start, end, length, angular: false, feed, seconds, substitute };
         self.spans.push(span, Offset::None, std::iter::empty());
     }
 

@@ -100,11 +100,11 @@ impl Tape {
         let unit = control.unit.name();
         let mut notes = Vec::new();
         for (name, pace, rapids) in [("rapid", rapid, true), ("cutting", cutting, false)] {
-            if unknown().any(|span| !span.is_still() && (span.kind == SpanKind::Rapid) == rapids) {
+            if unknown().any(|span| !stands(span) && (span.kind == SpanKind::Rapid) == rapids) {
                 notes.push(format!("{name} {pace} {unit}/min"));
             }
         }
-        if unknown().any(|span| span.is_still() && span.kind != SpanKind::Dwell) {
+        if unknown().any(|span| span.angular) {
             notes.push(format!("{TURNING} s for a turn without feed"));
         }
         if unknown().any(|span| span.kind == SpanKind::Dwell) {
@@ -123,9 +123,14 @@ fn stop(fate: Fate, words: &[Word]) -> Stop {
     }
 }
 
+/// It has no length along a path.
+fn stands(span: &Span) -> bool {
+    span.angular || span.kind == SpanKind::Dwell
+}
+
 /// The seconds of a span that nobody knows.
 fn assumed(span: &Span, rapid: f64, cutting: f64) -> f64 {
-    if span.is_still() {
+    if stands(span) {
         return TURNING;
     }
     span.length / if span.kind == SpanKind::Rapid { rapid } else { cutting } * 60.0

@@ -65,6 +65,7 @@ impl State<'_> {
             start: at,
             end: at,
             length: 0.0,
+            angular: false,
             feed: None,
             seconds: pause.seconds,
             substitute: false,

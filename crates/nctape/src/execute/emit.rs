@@ -19,13 +19,15 @@ impl State<'_> {
             return;
         }
         let (from, to) = (self.point(start), self.point(&self.target));
+        let Some((length, angular)) = self.straight_length(start, from, to) else { return };
         let span = Span {
             kind: SpanKind::Line,
             blocks: (first, self.block),
             geometry: Geometry::Line,
             start: from,
             end: to,
-            length: self.straight_length(start, from, to),
+            length,
+            angular,
             feed: None,
             seconds: None,
             substitute: true,
@@ -42,8 +44,13 @@ impl State<'_> {
         sweep: Option<f64>,
     ) {
         let (from, to) = (self.point(start), self.point(&self.target));
+        let mut angular = false;
         let length = match geometry {
-            Geometry::Line => self.straight_length(start, from, to),
+            Geometry::Line => {
+                let Some(straight) = self.straight_length(start, from, to) else { return };
+                angular = straight.1;
+                straight.0
+            }
             Geometry::Arc(arc) => {
                 let third = arc.plane.axes()[2];
                 libm::hypot(arc.length_in_plane(), to[third] - from[third])
@@ -75,6 +82,7 @@ impl State<'_> {
             start: from,
             end: to,
             length,
+            angular,
             feed: self.plain_feed().filter(|_| kind != SpanKind::Rapid).or(feed),
             seconds,
             substitute: false,
@@ -82,10 +90,12 @@ impl State<'_> {
         // A feed per minute was judged at its word; a rapid move has none, and what moves a rotary axis alone has none
         // along the path.
         let by_span = self.is_thread() || matches!(self.feed, Feed::Reciprocal(_) | Feed::PerRevolution(_));
-        if let Some(feed) = feed.filter(|_| by_span && kind != SpanKind::Rapid && !span.is_still()) {
+        if let Some(feed) = feed.filter(|_| by_span && kind != SpanKind::Rapid && !angular) {
             self.note_speed(None, feed);
+            // A thread runs by its lead, and zero is the number of no time.
             if let (Feed::Reciprocal(_), Some((word, Some(number)))) = (self.feed, self.own_feed)
-                && number < COARSE
+                && (1..COARSE).contains(&number)
+                && !self.is_thread()
             {
                 self.note(EventKind::CoarseReciprocal { word, feed, step: feed / number as f64 });
             }
@@ -144,13 +154,18 @@ impl State<'_> {
         self.control.format.itemized.rapid.map(|rapid| length / rapid.0)
     }
 
-    /// The length of a straight move: along X, Y and Z, or along the other axes where those stand still.
-    fn straight_length(&self, start: &[i64], from: [f64; 3], to: [f64; 3]) -> f64 {
+    /// The length of a straight move, and whether it is an angle: see [`Span::length`]. None where the ends are one
+    /// point; beyond 2^53 increments two positions may be one in the unit of the format.
+    fn straight_length(&self, start: &[i64], from: [f64; 3], to: [f64; 3]) -> Option<(f64, bool)> {
         let path = norm(subtract(to, from));
         if path > 0.0 {
-            return path;
+            return Some((path, false));
         }
-        let move_of = |axis: usize| self.in_unit(axis, self.target[axis]) - self.in_unit(axis, start[axis]);
-        (3..self.target.len()).map(move_of).fold(0.0, libm::hypot)
+        let beyond = |rotary: bool| {
+            let axes = (3..self.target.len()).filter(move |&axis| self.control.axes[axis].is_rotary() == rotary);
+            let moves = axes.map(|axis| self.in_unit(axis, self.target[axis]) - self.in_unit(axis, start[axis]));
+            Some((moves.fold(0.0, libm::hypot), rotary)).filter(|(length, _)| *length > 0.0)
+        };
+        beyond(false).or_else(|| beyond(true))
     }
 }

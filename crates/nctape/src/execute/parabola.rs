@@ -96,14 +96,18 @@ impl Parabola {
         }
         let across = beside.map(|component| component / y);
         // The axis of the parabola, from directrix to focus: the ends are r0 and r2 away from the directrix. That with
-        // the positive sine points to the side of the focus.
-        let cosine = ((r2 - r0) / reach).clamp(-1.0, 1.0);
-        let sine = (1.0 - cosine * cosine).sqrt();
+        // the positive sine points to the side of the focus. Where the focus all but lies on the line through the ends,
+        // a difference would lose every digit; so 1 - cos and 1 + cos are worked out from r² = x² + y² of both ends.
+        let whole = r0 + r2 + reach;
+        let less = 2.0 * plus(r0, x, y) / whole;
+        let more = 2.0 * plus(r2, reach - x, y) / whole;
+        let (cosine, sine) = ((r2 - r0) / reach, (less * more).sqrt());
         let axis: [f64; 3] = std::array::from_fn(|i| cosine * along[i] + sine * across[i]);
         let side: [f64; 3] = std::array::from_fn(|i| sine * along[i] - cosine * across[i]);
         // In the coordinates u along the directrix and v along the axis from the vertex, v = u²/2p; the tangents at
         // u0 and u2 meet at u = (u0 + u2)/2, v = u0 u2/2p.
-        let p = x * cosine + y * sine + r0;
+        // r0 + x cos + y sin, without a difference.
+        let p = y * sine + if x < 0.0 { plus(r0, x, y) - x * less } else { plus(r0, -x, y) + x * more };
         let (u0, u2) = (-dot(from, side), -dot(to, side));
         let (u, v) = ((u0 + u2) / 2.0, u0 * u2 / (2.0 * p) - p / 2.0);
         let tangent = std::array::from_fn(|i| focus[i] + side[i] * u + axis[i] * v);
@@ -142,7 +146,7 @@ impl Parabola {
     pub(crate) fn is_degenerate(&self, tolerance: f64) -> bool {
         let chord = subtract(self.end, self.start);
         let area = norm(cross(self.a(), chord));
-        area <= tolerance * norm(chord)
+        area.is_nan() || area <= tolerance * norm(chord)
     }
 
     /// The point half way stands opposite a point of the chord that is more than a quarter of it off its middle.
@@ -171,6 +175,11 @@ impl Parabola {
         };
         (antiderivative(v1) - antiderivative(v0)) / q
     }
+}
+
+/// r + x for r² = x² + y², of which r is positive: by y² where r and x all but cancel.
+fn plus(r: f64, x: f64, y: f64) -> f64 {
+    if x < 0.0 { y * y / (r - x) } else { r + x }
 }
 
 /// Gauss-Legendre, five points (Abramowitz and Stegun, table 25.4).
@@ -273,6 +282,28 @@ mod tests {
         // A slope of the chord itself, however the third axis moves: in the plane it is a straight line.
         let along = Parabola::by_slopes([0.0; 3], [10.0, 0.0, 4.0], [0, 1, 2], [0.0, 1.0], 1e-3);
         assert_eq!(along, Err(ParabolaFault::SlopeOfChord));
+    }
+
+    /// The tangents at two points of a parabola meet as far from the focus as the mean proportional between the
+    /// distances of the points, and are seen from there under equal angles.
+    #[test]
+    fn a_focus_close_to_the_line_through_the_ends_keeps_its_digits() {
+        let focus = [0.0; 3];
+        for (start, end) in [
+            ([128.77, 0.000_002, 0.0], [129.77, 0.000_002, 0.0]),
+            ([1465.8, 0.000_02, 0.0], [1475.8, 0.000_02, 0.0]),
+            ([-131_510.0, 0.002, 0.0], [-131_610.0, 0.004, 0.0]),
+            ([1e7, 0.001, 0.0], [2e7, 0.001, 0.0]),
+            ([3.0, 4.0, 0.0], [-5.0, 12.0, 0.0]),
+            ([-3.0, 0.5, 1.0], [5.0, 0.5, 2.0]),
+        ] {
+            let parabola = Parabola::about(start, focus, end, 1e-7).expect("a parabola");
+            let tangent = parabola.tangent;
+            let (r0, r2, way) = (norm(start), norm(end), norm(tangent));
+            assert!((way * way - r0 * r2).abs() <= 1e-9 * r0 * r2, "{start:?} {end:?}: {tangent:?}");
+            let cosines = [(start, r0), (end, r2)].map(|(point, r)| dot(point, tangent) / (r * way));
+            assert!((cosines[0] - cosines[1]).abs() <= 1e-9, "{start:?} {end:?}: {tangent:?}");
+        }
     }
 
     #[test]

@@ -25,7 +25,7 @@ pub(crate) struct Share {
 
 impl Share {
     pub(crate) fn of(span: &Span) -> Share {
-        let length = if span.is_still() { 0.0 } else { span.length };
+        let length = if span.angular { 0.0 } else { span.length };
         let (cutting, rapid) = match span.kind {
             SpanKind::Rapid => (0.0, length),
             SpanKind::Dwell => (0.0, 0.0),

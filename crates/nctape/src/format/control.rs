@@ -19,6 +19,13 @@ pub struct Axis {
     pub sign: Option<Sign>,
 }
 
+impl Axis {
+    /// It turns: A, B and C, and D and E about special axes. All others are parallel to X, Y and Z (B.1).
+    pub(crate) fn is_rotary(&self) -> bool {
+        matches!(self.letter, 'A'..='E')
+    }
+}
+
 /// What a format makes of reading and executing.
 #[derive(Clone, Debug)]
 pub struct Control {

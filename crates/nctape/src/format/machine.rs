@@ -18,23 +18,26 @@ pub struct Untimed {
 impl Format {
     /// Rows that the reader draws past its head in a second.
     pub fn reader_speed(&self) -> f64 {
-        self.itemized.reader_speed.map_or(READER_SPEED, |speed| speed.0)
+        // A tape has fewer rows than 10^12; below this their time would be no number any more.
+        self.itemized.reader_speed.map_or(READER_SPEED, |speed| speed.0.max(1e-200))
     }
 
-    /// This format on the machine of another: where the tool stands before the first block, the rapid traverse, the
-    /// reader and the cutter are taken from it, as far as this one does not state them.
+    /// This format on the machine of another: the reader is taken from it, and under the same unit the rapid traverse
+    /// and the cutter, as far as this one does not state them.
     ///
     /// A format that was found for a listing says how its words are read; what the machine is like it cannot know, and
-    /// what was known before holds on. The travel is left out: it judges coordinates, and another reading of the words
-    /// has others.
+    /// what was known before holds on. The set point is of the tape, not of the machine: that of another one would move
+    /// the path. The travel is left out: it judges coordinates, and another reading of the words has others.
     pub fn on_machine_of(&self, other: &Format) -> Format {
         let mut format = self.clone();
+        let same_unit = Control::new(self).unit == Control::new(other).unit;
         let (own, known) = (&mut format.itemized, &other.itemized);
-        own.set_point = own.set_point.take().or_else(|| known.set_point.clone());
-        own.rapid = own.rapid.or(known.rapid);
         own.reader_speed = own.reader_speed.or(known.reader_speed);
         own.buffered = own.buffered.or(known.buffered);
-        own.cutter_radius = own.cutter_radius.or(known.cutter_radius);
+        if same_unit {
+            own.rapid = own.rapid.or(known.rapid);
+            own.cutter_radius = own.cutter_radius.or(known.cutter_radius);
+        }
         format
     }
 
@@ -95,9 +98,11 @@ mod tests {
         };
         let found = Format { itemized: Itemized { rapid: Some(Positive(9000.0)), ..Itemized::default() }, ..format() };
         let joined = found.on_machine_of(&known);
-        assert_eq!(joined.itemized.set_point, known.itemized.set_point);
+        assert_eq!(joined.itemized.set_point, None, "it is of the other tape");
         assert_eq!(joined.itemized.rapid, Some(Positive(9000.0)), "what it states itself goes before");
         assert_eq!(joined.itemized.feed, None, "how words are read is not of the machine");
+        let inches = Format::new(Standard::Rs274, "n3 g2 x+14 f21 m2*").on_machine_of(&known);
+        assert_eq!(inches.itemized.rapid, None, "5000 mm/min are not 5000 in/min");
     }
 
     #[test]

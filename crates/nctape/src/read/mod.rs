@@ -44,6 +44,12 @@ pub(crate) struct BlockView<'a> {
 }
 
 impl BlockView<'_> {
+    /// The word that an offset stands in.
+    pub(crate) fn word_at(&self, offset: usize) -> Option<&Word> {
+        let behind = self.words.partition_point(|word| word.range().end <= offset);
+        self.words.get(behind).filter(|word| word.range().contains(&offset))
+    }
+
     /// The sequence number word, if it heads the block.
     pub(crate) fn sequence(&self) -> Option<&Word> {
         self.words.first().filter(|word| word.is_sequence())

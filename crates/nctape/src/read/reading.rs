@@ -117,6 +117,9 @@ impl Reading {
         let end = |blocks: usize| blocks.checked_sub(1).map_or(0, |last| self.blocks[last].range.end);
         let next = move |blocks: usize| self.blocks.get(blocks).map_or(length, |block| block.range.start);
         let counts = self.heads.iter().map(|head| head.blocks_before).chain([self.blocks.len()]);
+        // Heads without a block between them share a stretch.
+        let mut last = None;
+        let counts = counts.filter(move |&blocks| last.replace(blocks) != Some(blocks));
         counts.map(move |blocks| end(blocks)..next(blocks))
     }
 

@@ -96,7 +96,7 @@ pub(crate) fn scan(
     words: &mut Vec<Word>,
     strays: &mut Vec<Stray>,
 ) -> Scanned {
-    let first_word = words.len();
+    let (first_word, strays_before) = (words.len(), strays.len());
     let mut scanner = Scanner {
         control,
         start,
@@ -109,6 +109,8 @@ pub(crate) fn scan(
         column: 0,
         skip: None,
         since: start,
+        strays_since: strays_before,
+        counted: (first_word, 0),
         comment: None,
         any_comment: false,
         any_word: false,
@@ -186,6 +188,10 @@ struct Scanner<'a> {
     skip: Option<usize>,
     /// Where the last comment ended; the start of the block where there was none.
     since: usize,
+    /// How many strays had been found then.
+    strays_since: usize,
+    /// So many words, those of earlier blocks among them, have been counted, and so many tabs of this block before them.
+    counted: (usize, usize),
     /// The `(` of the open comment.
     comment: Option<usize>,
     any_comment: bool,
@@ -216,11 +222,11 @@ impl Scanner<'_> {
                 self.comment = Some(from);
                 self.any_comment = true;
             }
-            ')' if self.comment.take().is_some() => self.since = to,
+            ')' if self.comment.take().is_some() => (self.since, self.strays_since) = (to, self.strays.len()),
             ')' => {
                 self.give_up_comment(from);
                 self.stray(StrayKind::ControlIn, from, to);
-                self.since = to;
+                (self.since, self.strays_since) = (to, self.strays.len());
             }
             '0'..='9' => {
                 let word = self.open(from);
@@ -291,8 +297,8 @@ impl Scanner<'_> {
             0 => !tabs,
             _ => word.fault == NumberFault::Empty && !word.by_column,
         };
-        let first = self.first_word;
-        let lost = self.own_words().iter().position(|word| word.from >= since && bare(word));
+        let first = self.first_word + self.own_words().partition_point(|word| word.from < since);
+        let lost = self.words[first..].iter().position(&bare);
         let Some(lost) = lost.map(|lost| first + lost) else { return };
         let words = &self.words[lost..];
         if 2 * words.iter().filter(|word| bare(word)).count() <= words.len() {
@@ -300,17 +306,24 @@ impl Scanner<'_> {
         }
         let from = words[0].from;
         self.words.truncate(lost);
-        self.strays.retain_mut(|stray| match stray.kind {
-            _ if stray.from < from => true,
-            StrayKind::Foreign(character) => {
+        // Those found before `since` stand before it.
+        let late = self.strays.split_off(self.strays_since.min(self.strays.len()));
+        self.strays.extend(late.into_iter().filter_map(|mut stray| {
+            if stray.from >= from {
+                let StrayKind::Foreign(character) = stray.kind else { return None };
                 stray.kind = StrayKind::InComment(character);
-                self.control.code.row(character).is_none()
+                self.control.code.row(character).is_none().then_some(stray)
+            } else {
+                Some(stray)
             }
-            _ => false,
-        });
-        self.any_word = self.words.len() > first;
+        }));
+        self.any_word = self.words.len() > self.first_word;
         self.tabs = 0;
-        self.column = self.own_words().iter().map(|word| usize::from(word.tabs)).sum();
+        let (counted, tabs) = std::mem::replace(&mut self.counted, (0, 0));
+        // A word may have been taken up again and lost since it was counted.
+        let (counted, tabs) = if counted <= lost { (counted.max(self.first_word), tabs) } else { (self.first_word, 0) };
+        self.column = tabs + self.words[counted..].iter().map(|word| usize::from(word.tabs)).sum::<usize>();
+        self.counted = (self.words.len(), self.column);
         self.stray(StrayKind::LostComment, self.start + from as usize, control_in);
     }
 

@@ -45,12 +45,14 @@ fn word(seen: &Seen, survey: &Survey, standard: Standard, mark: SignMark) -> Str
     }
     let sign = match (seen.signed > 0, standard, mark) {
         (false, _, SignMark::Both) if standard != Standard::Rs274 => "L",
+        // An incremental dimension need not have its sign (3.3.3.4.3).
+        (false, Standard::Iso2539, SignMark::Incremental) => "D",
         (false, ..) => "",
         (true, Standard::Rs274, _) | (true, _, SignMark::Absolute) => "+",
         (true, _, SignMark::Incremental) => "D",
         (true, _, SignMark::Both) => "L",
     };
-    let (before, after) = places(seen.longest, standard);
+    let (before, after) = places(seen, survey, standard);
     let digits = match (survey.shortens(), survey.leading_zeros_omitted()) {
         (false, _) => format!("{before}{after}"),
         (true, true) => format!("0{before}{after}"),
@@ -59,12 +61,17 @@ fn word(seen: &Seen, survey: &Survey, standard: Standard, mark: SignMark) -> Str
     format!("{letter}{sign}{digits}")
 }
 
-/// Digits before and behind the decimal sign, for a number of digits: a thousandth of a millimetre or a ten-thousandth
-/// of an inch, the increments of contouring controls, where there are digits for it and one is left before the sign.
-fn places(digits: u16, standard: Standard) -> (u16, u16) {
+/// Digits before and behind the decimal sign: a thousandth of a millimetre or a ten-thousandth of an inch, the
+/// increments of contouring controls, where there are digits for it and one is left before the sign. All lengths have
+/// the same increment, and so have all angles: a control has no other scale for one axis than for another.
+fn places(seen: &Seen, survey: &Survey, standard: Standard) -> (u16, u16) {
     let increment = if standard == Standard::Rs274 { 4 } else { 3 };
-    let digits = digits.min(18);
-    let after = increment.min(digits.saturating_sub(1)).max(digits.saturating_sub(9));
+    let is_angle = |seen: &Seen| matches!(seen.address, b'A'..=b'E');
+    let alike = survey.letters.iter().filter(|other| other.is_dimension() && is_angle(other) == is_angle(seen));
+    let digits = |seen: &Seen| seen.longest.min(18);
+    let after = alike.map(|other| increment.min(digits(other).saturating_sub(1))).min().unwrap_or(0);
+    let digits = digits(seen);
+    let after = after.max(digits.saturating_sub(9)).min(digits);
     (digits - after, after)
 }
 

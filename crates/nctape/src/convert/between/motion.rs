@@ -158,7 +158,7 @@ impl Writer<'_> {
     /// The feed of a span as the other format counts it.
     fn pace(&self, span: &Span) -> Pace {
         // A rotary axis alone has its feed in its own unit.
-        let scale = self.scale[usize::from(span.is_still())];
+        let scale = self.scale[usize::from(span.angular)];
         let per_minute = span.feed.filter(|feed| *feed > 0.0).map(|feed| Pace::PerMinute {
             feed: feed * scale,
             minutes: span.seconds.map_or(span.length / feed, |seconds| seconds / 60.0),

@@ -17,11 +17,12 @@ use super::comments::comments;
 use super::output::Output;
 use crate::execute::{self, Follow, Followed as Step};
 use crate::format::Plane;
-use crate::read::Word;
+use crate::read::{ProgramMark, Word};
 use crate::tape::Tape;
 use findings::{Findings, LeftOut};
 use functions::Fate;
 use motion::Refusal;
+use std::iter::Peekable;
 use std::ops::Range;
 use words::{Lines, plain};
 
@@ -67,6 +68,8 @@ struct Writer<'a> {
     preloaded: bool,
     /// The last executed block.
     last: Option<usize>,
+    /// The program starts that no stretch of the tape has come to yet.
+    programs: Peekable<std::vec::IntoIter<ProgramMark>>,
 }
 
 impl<'a> Writer<'a> {
@@ -89,6 +92,7 @@ impl<'a> Writer<'a> {
             chorded: Vec::new(),
             preloaded: false,
             last,
+            programs: tape.reading().programs().collect::<Vec<_>>().into_iter().peekable(),
         }
     }
 
@@ -112,7 +116,8 @@ impl<'a> Writer<'a> {
         if stretch.is_empty() {
             return;
         }
-        let mark = self.tape.reading().programs().find(|mark| stretch.contains(&mark.range.start));
+        while self.programs.next_if(|mark| mark.range.start < stretch.start).is_some() {}
+        let mark = self.programs.next_if(|mark| stretch.contains(&mark.range.start));
         if let Some(mark) = mark.filter(|mark| !mark.number.is_empty() && before != usize::MAX) {
             let number = self.tape.text()[mark.number].replace(' ', "");
             self.output.comment(&format!("Program {number}"));

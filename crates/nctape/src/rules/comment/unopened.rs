@@ -17,7 +17,8 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     if block.strays.iter().any(|stray| stray.kind == StrayKind::NestedControlOut) {
         return;
     }
-    for stray in block.strays.iter().filter(|stray| stray.kind == StrayKind::ControlIn) {
+    let before = std::iter::once(None).chain(block.strays.iter().map(Some));
+    for (before, stray) in before.zip(block.strays).filter(|(_, stray)| stray.kind == StrayKind::ControlIn) {
         sink.report(
             &RULE,
             stray.range(),
@@ -27,7 +28,7 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
         )
         .fix(|| {
             let lost = |other: &&Stray| other.kind == StrayKind::LostComment && other.to == stray.from;
-            match block.strays.iter().find(lost).map(|lost| lost.range().start) {
+            match before.filter(lost).map(|lost| lost.range().start) {
                 Some(at) => Fix::replace("Open the comment", at..at, "("),
                 None => Fix::replace("Take it out", stray.range(), ""),
             }

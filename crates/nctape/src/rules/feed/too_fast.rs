@@ -30,5 +30,5 @@ pub(crate) fn check(event: &Event, tape: &TapeView<'_>, sink: &mut Sink<'_>) {
 
 /// With three decimal places at most.
 fn rounded(feed: f64) -> f64 {
-    (feed * 1e3).round() / 1e3
+    if feed < 1e12 { (feed * 1e3).round() / 1e3 } else { feed }
 }

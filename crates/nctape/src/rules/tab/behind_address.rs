@@ -19,7 +19,7 @@ pub(crate) fn check(block: &BlockView<'_>, sink: &mut Sink<'_>) {
     }
     for stray in block.strays.iter().filter(|stray| stray.kind == StrayKind::TabBehindAddress) {
         let tab = stray.range();
-        let Some(word) = block.words.iter().find(|word| word.range().contains(&tab.start)) else { continue };
+        let Some(word) = block.word_at(tab.start) else { continue };
         let message = format!(
             "The tab stands between {} and its digits; it is the first character of a word, the address follows it. Take \
              it out, or move it before the address.",

@@ -24,21 +24,16 @@ pub(super) fn report(
     block: &BlockView<'_>,
     sink: &mut Sink<'_>,
 ) {
-    if block.strays.is_empty() {
-        return;
-    }
-    for word in block.words {
-        let letters: Vec<(char, std::ops::Range<usize>)> = block
-            .strays
-            .iter()
-            .filter_map(|stray| match stray.kind {
-                StrayKind::LetterForDigit(letter) if is_it(letter) && word.range().contains(&stray.range().start) => {
-                    Some((letter, stray.range()))
-                }
-                _ => None,
-            })
-            .collect();
-        let (Some((letter, first)), Some((_, last))) = (letters.first(), letters.last()) else { continue };
+    let letters = block.strays.iter().filter_map(|stray| match stray.kind {
+        StrayKind::LetterForDigit(letter) if is_it(letter) => {
+            Some((block.word_at(stray.range().start)?, letter, stray.range()))
+        }
+        _ => None,
+    });
+    let letters: Vec<_> = letters.collect();
+    for letters in letters.chunk_by(|one, next| std::ptr::eq(one.0, next.0)) {
+        let [(word, letter, first), ..] = letters else { continue };
+        let last = letters.last().map_or(first, |(.., last)| last);
         let message = format!(
             "The letter {letter} stands in the number of {}, where the digit {digit} is probably meant. Write the digit.",
             word.letter()
@@ -46,7 +41,7 @@ pub(super) fn report(
         let fix = || {
             Fix::edits(
                 format!("Write the digit {digit}"),
-                letters.iter().map(|(_, range)| (range.clone(), digit.to_string())),
+                letters.iter().map(|(.., range)| (range.clone(), digit.to_string())),
             )
         };
         sink.report(rule, first.start..last.end, message).count(letters.len()).fix(fix);
