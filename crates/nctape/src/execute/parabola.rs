@@ -88,7 +88,12 @@ impl Parabola {
         }
         let along = chord.map(|component| component / reach);
         let x = dot(from, along);
-        let beside: [f64; 3] = std::array::from_fn(|axis| from[axis] - x * along[axis]);
+        let square_to = |to: [f64; 3]| -> [f64; 3] {
+            let x = dot(to, along);
+            std::array::from_fn(|axis| to[axis] - x * along[axis])
+        };
+        // Twice: what is left the first time is small, and has not lost its part along the line in full.
+        let beside = square_to(square_to(from));
         let y = norm(beside);
         if y <= tolerance {
             let between = x > 0.0 && x < reach;
@@ -101,14 +106,15 @@ impl Parabola {
         let whole = r0 + r2 + reach;
         let less = 2.0 * plus(r0, x, y) / whole;
         let more = 2.0 * plus(r2, reach - x, y) / whole;
-        let (cosine, sine) = ((r2 - r0) / reach, (less * more).sqrt());
+        let cosine = if less < more { 1.0 - less } else { more - 1.0 };
+        let sine = (less * more).sqrt();
         let axis: [f64; 3] = std::array::from_fn(|i| cosine * along[i] + sine * across[i]);
         let side: [f64; 3] = std::array::from_fn(|i| sine * along[i] - cosine * across[i]);
         // In the coordinates u along the directrix and v along the axis from the vertex, v = u²/2p; the tangents at
         // u0 and u2 meet at u = (u0 + u2)/2, v = u0 u2/2p.
         // r0 + x cos + y sin, without a difference.
         let p = y * sine + if x < 0.0 { plus(r0, x, y) - x * less } else { plus(r0, -x, y) + x * more };
-        let (u0, u2) = (-dot(from, side), -dot(to, side));
+        let (u0, u2) = (y * cosine - x * sine, y * cosine - (x - reach) * sine);
         let (u, v) = ((u0 + u2) / 2.0, u0 * u2 / (2.0 * p) - p / 2.0);
         let tangent = std::array::from_fn(|i| focus[i] + side[i] * u + axis[i] * v);
         Ok(Parabola { start, tangent, end })
