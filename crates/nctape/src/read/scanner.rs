@@ -319,7 +319,7 @@ impl Scanner<'_> {
         }));
         self.any_word = self.words.len() > self.first_word;
         self.tabs = 0;
-        let (counted, tabs) = std::mem::replace(&mut self.counted, (0, 0));
+        let (counted, tabs) = std::mem::take(&mut self.counted);
         // A word may have been taken up again and lost since it was counted.
         let (counted, tabs) = if counted <= lost { (counted.max(self.first_word), tabs) } else { (self.first_word, 0) };
         self.column = tabs + self.words[counted..].iter().map(|word| usize::from(word.tabs)).sum::<usize>();
