@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { after, before, test } from 'node:test';
-import { NARROW, pasteFaulty, quiet, root, startBrowser, visit } from './support/playground.js';
+import { NARROW, paste, pasteFaulty, quiet, root, startBrowser, visit } from './support/playground.js';
 
 /** @typedef {import('playwright-core').Page} Page */
 
@@ -49,7 +49,20 @@ const STATES = [
     await page.keyboard.press('Escape');
     await page.locator('#learn-button').click();
   }],
+  ['CLDATA', async (page) => {
+    await page.keyboard.press('Escape');
+    await openCldata(page);
+  }],
 ];
+
+/** CLDATA with a record that is kept and one that is wrong. @param {Page} page */
+async function openCldata(page) {
+  await page.locator('#kind-cldata').click();
+  await page.locator('#posted-text .cm-content').waitFor({ state: 'attached' });
+  await paste(page, "1,1000,7,'70';\n2,5000,3,'',0,.,.,30.;\n3,15000,1;\n4,20000,0,FEDRAT,200,PERMIN;\n5,5000,5,'L1',0,10.,10.,20.;\n6,14000;\n:\n");
+  await page.keyboard.press('Control+Home');
+  for (let line = 1; line < 5; line += 1) await page.keyboard.press('ArrowDown');
+}
 
 for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
   test(`the page, wide and ${colorScheme}`, async () => {
@@ -72,6 +85,13 @@ for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
       await page.getByRole('tab', { name }).click();
       await quiet(page);
       found.push(...(await violations(page)).map((one) => `${name}: ${one}`));
+    }
+    await page.locator('#tab-program').click();
+    await openCldata(page);
+    for (const name of ['CLDATA', 'Tape', 'Path', 'Problems']) {
+      await page.getByRole('tab', { name }).click();
+      await quiet(page);
+      found.push(...(await violations(page)).map((one) => `${name} of CLDATA: ${one}`));
     }
     assert.deepEqual(found, []);
     await leave();

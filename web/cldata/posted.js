@@ -41,8 +41,8 @@ export function makePosted({ store, engine, kinds, card, onPlace, open }) {
         problemTooltip(card),
         theme,
         keymap.of([{ key: 'Escape', run: () => (byId('problems', HTMLElement).focus(), true) }, ...keys]),
-        // No keyboard comes up on the screen for what cannot be written in.
-        EditorView.contentAttributes.of({ 'aria-label': 'The tape that it became. Escape leaves it.', inputmode: 'none', spellcheck: 'false' }),
+        // No keyboard comes up on the screen for what cannot be written in; the tab key reaches it all the same.
+        EditorView.contentAttributes.of({ 'aria-label': 'The tape that it became. Escape leaves it.', inputmode: 'none', spellcheck: 'false', tabindex: '0' }),
         EditorView.updateListener.of(({ selectionSet, state }) => {
           if (selectionSet && !ours) onPlace(state.selection.main.head);
         }),
