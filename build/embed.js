@@ -1,7 +1,11 @@
 // Makes dist/embed.html, one file that needs no other, and dist/nc-tape.js, which puts it into the pages of others.
+import { execFile } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { readFile } from 'node:fs/promises';
+import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
+import { promisify } from 'node:util';
 import { build } from 'vite';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
@@ -15,14 +19,14 @@ export function embedPage(alias) {
     name: 'nctape-embed',
     apply: 'build',
     async generateBundle() {
-      const [page, worker, element, template, wasm, host] = await Promise.all([
+      const [page, worker, element, template, host] = await Promise.all([
         bundle('web/embed/main.js', 'es', alias),
-        bundle('web/embed/worker.js', 'iife', alias),
+        bundle('web/embed/worker.js', 'iife', { nctape: `${root}web/embed/core.js` }),
         bundle('web/embed/element.js', 'iife', alias),
         readFile(`${root}web/embed/embed.html`, 'utf8'),
-        readFile(`${root}pkg/nctape_bg.wasm`),
         readFile(`${root}web/embed/embedding.html`, 'utf8'),
       ]);
+      const wasm = await wasmFor(worker.script);
       const parts = {
         css: page.css.trim(),
         main: scriptText(page.script),
@@ -55,13 +59,46 @@ async function bundle(file, format, alias) {
       write: false,
       target: 'es2022',
       modulePreload: false,
-      rolldownOptions: { input: root + file, output: { format, codeSplitting: false, entryFileNames: 'script.js' } },
+      // What core.js leaves out is undefined where it is named.
+      rolldownOptions: { shimMissingExports: true, onLog: quietly, input: root + file, output: { format, codeSplitting: false, entryFileNames: 'script.js' } },
     },
   });
   if (!('output' in made)) throw new Error(`${file} was not bundled once`);
   const [{ code }, ...rest] = made.output;
   const sheets = rest.map((one) => (one.type === 'asset' ? String(one.source) : ''));
   return { script: code.trim(), css: sheets.join('') };
+}
+
+/** @type {(level: string, log: { code?: string }, handle: (level: any, log: any) => void) => void} */
+const quietly = (level, log, handle) => {
+  if (log.code !== 'IMPORT_IS_UNDEFINED' && log.code !== 'SHIMMED_EXPORT') handle(level, log);
+};
+
+/**
+ * The wasm without the functions that a script has no use for.
+ * @param {string} script
+ */
+async function wasmFor(script) {
+  const file = `${root}pkg/nctape_bg.wasm`;
+  const module = new WebAssembly.Module(await readFile(file));
+  const exports = WebAssembly.Module.exports(module).map(({ name }) => name);
+  const imports = WebAssembly.Module.imports(module);
+  const used = new Set(script.match(/(?<=\.)\w+/g));
+  const graph = [
+    { name: 'script', root: true, reaches: [...exports.filter((name) => used.has(name)).map((name) => `out ${name}`), ...imports.map(({ name }) => `in ${name}`)] },
+    ...exports.map((name) => ({ name: `out ${name}`, export: name })),
+    ...imports.map(({ module: from, name }) => ({ name: `in ${name}`, import: [from, name] })),
+  ];
+  const folder = await mkdtemp(join(tmpdir(), 'nctape-embed-'));
+  try {
+    const [asked, made] = [join(folder, 'graph.json'), join(folder, 'made.wasm')];
+    await writeFile(asked, JSON.stringify(graph));
+    const tool = `${root}node_modules/binaryen/bin/wasm-metadce`;
+    await promisify(execFile)(process.execPath, [tool, '--all-features', file, '-o', made, '--graph-file', asked, '--quiet']);
+    return await readFile(made);
+  } finally {
+    await rm(folder, { recursive: true });
+  }
 }
 
 /** The glue of the wasm names the file beside it, which is in no bundle. @type {import('vite').Plugin} */
@@ -71,8 +108,8 @@ const withoutFetch = {
 };
 
 /**
- * A byte as a letter of a page. Brotli, which the file is sent with, makes as much of these letters as of the bytes:
- * the wasm takes 476 kB so, and 596 kB as base64 of deflated bytes, where it is 459 kB by itself (gzip: 623 and 599 kB).
+ * A byte as a letter of a page. Brotli, which the file is sent with, makes as much of these letters as of the bytes: a
+ * wasm of 459 kB takes 476 kB so, and 596 kB as base64 of deflated bytes (by gzip 623 and 599 kB).
  * Three bytes would not stay what they are in a page, and become letters with the same last eight bits.
  * @param {number} byte
  */

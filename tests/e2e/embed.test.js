@@ -276,3 +276,17 @@ test('in a narrow frame the panes are tabs', async () => {
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 390);
   await leave();
 });
+
+test('a problem explains itself, and a row of holes', async () => {
+  const { page, leave } = await open('embedding.html');
+  const exercise = await frameIn(page, '#exercise');
+  await exercise.getByRole('button', { name: 'About NUM-01' }).click();
+  assert.match(await exercise.locator('#rule-title').innerText(), /digits/);
+  assert.equal(await exercise.getByRole('button', { name: 'Open this example' }).count(), 0, 'an exercise is not replaced');
+  await exercise.locator('#rule-page').getByRole('button', { name: 'Close' }).click();
+  assert.equal(await exercise.locator('#rule-page').isVisible(), false);
+  const tape = await frameIn(page, '#tape');
+  await tape.locator('#row-button').click();
+  assert.match(await tape.locator('#row-card').innerText(), /N006.*character|ISO 840/s);
+  await leave();
+});
