@@ -74,6 +74,9 @@ const quietly = (level, log, handle) => {
   if (log.code !== 'IMPORT_IS_UNDEFINED' && log.code !== 'SHIMMED_EXPORT') handle(level, log);
 };
 
+/** Those of the wasm that all browsers of es2022 have; binaryen would write what few of them read, if it might. */
+const FEATURES = ['bulk-memory', 'bulk-memory-opt', 'multivalue', 'mutable-globals', 'nontrapping-float-to-int', 'reference-types', 'sign-ext', 'simd'].map((name) => `--enable-${name}`);
+
 /**
  * The wasm without the functions that a script has no use for.
  * @param {string} script
@@ -83,7 +86,9 @@ async function wasmFor(script) {
   const module = new WebAssembly.Module(await readFile(file));
   const exports = WebAssembly.Module.exports(module).map(({ name }) => name);
   const imports = WebAssembly.Module.imports(module);
-  const used = new Set(script.match(/(?<=\.)\w+/g));
+  const name = /([\w$]+)\.__wbindgen_start\(/.exec(script)?.[1];
+  if (name === undefined) throw new Error('the worker starts no wasm');
+  const used = new Set(Array.from(script.matchAll(/([\w$]+)\.(\w+)/g), ([, object, property]) => (object === name ? property : '')));
   const graph = [
     { name: 'script', root: true, reaches: [...exports.filter((name) => used.has(name)).map((name) => `out ${name}`), ...imports.map(({ name }) => `in ${name}`)] },
     ...exports.map((name) => ({ name: `out ${name}`, export: name })),
@@ -94,17 +99,27 @@ async function wasmFor(script) {
     const [asked, made] = [join(folder, 'graph.json'), join(folder, 'made.wasm')];
     await writeFile(asked, JSON.stringify(graph));
     const tool = `${root}node_modules/binaryen/bin/wasm-metadce`;
-    await promisify(execFile)(process.execPath, [tool, '--all-features', file, '-o', made, '--graph-file', asked, '--quiet']);
+    await promisify(execFile)(process.execPath, [tool, ...FEATURES, file, '-o', made, '--graph-file', asked, '--quiet']);
     return await readFile(made);
   } finally {
     await rm(folder, { recursive: true });
   }
 }
 
-/** The glue of the wasm names the file beside it, which is in no bundle. @type {import('vite').Plugin} */
+/**
+ * The glue of the wasm names the file beside it, which is in no bundle; and what it does with a class as it is loaded
+ * would keep one that nobody uses.
+ * @type {import('vite').Plugin}
+ */
 const withoutFetch = {
   name: 'nctape-without-fetch',
-  transform: (code, id) => (id.endsWith('pkg/nctape.js') ? code.replace(/new URL\('nctape_bg\.wasm', import\.meta\.url\)/, "''") : null),
+  transform(code, id) {
+    if (!id.endsWith('pkg/nctape.js')) return null;
+    return code
+      .replace(/new URL\('nctape_bg\.wasm', import\.meta\.url\)/, "''")
+      .replaceAll(/^if \(Symbol\.dispose\) .*$/gm, '')
+      .replaceAll('new FinalizationRegistry', '/* @__PURE__ */ new FinalizationRegistry');
+  },
 };
 
 /**

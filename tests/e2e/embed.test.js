@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
+import { deflateRawSync } from 'node:zlib';
 import { dist, quiet, startBrowser, visit } from './support/playground.js';
 
 /** @typedef {import('playwright-core').Page} Page */
@@ -109,6 +110,15 @@ test('the page itself runs from a disk, and so does a page around it', async () 
   await page.goto(pathToFileURL(`${dist}/embedding.html`).href);
   const frame = await frameIn(page, '#exercise');
   assert.match(await text(frame), /N003 Y\+03000/);
+  await leave();
+});
+
+test('a link to CLDATA is said to be one, and something else is shown', async () => {
+  const content = JSON.stringify({ source: '1,1045/', format: JSON.parse(FORMAT), cursor: 0, kind: 'cldata' });
+  const { page, leave } = await open(`embed.html#1.${deflateRawSync(Buffer.from(content)).toString('base64url')}`);
+  await shown(page);
+  assert.match(await page.locator('#notice').innerText(), /holds CLDATA/);
+  assert.match(await text(page), /N001/);
   await leave();
 });
 

@@ -121,7 +121,11 @@ export async function settingsOf(stated, { standards }, fault) {
  */
 async function linked(link, standards, fault) {
   const found = await readLink(link.slice(Math.max(0, link.indexOf('#'))), standards);
-  if (found !== null && 'tape' in found) return found.tape;
+  if (found !== null && 'tape' in found) {
+    if (found.tape.kind !== 'cldata') return found.tape;
+    fault('The link holds CLDATA, which a frame does not show: open it in the playground itself.');
+    return null;
+  }
   fault(`The link could not be opened. ${found === null ? 'It has no tape behind its #.' : found.trouble}`);
   return null;
 }

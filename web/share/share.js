@@ -42,7 +42,7 @@ export function makeShare(current) {
     said.textContent = tooLong
       ? `As a link this tape would have ${figure(address.length)} characters. Mail, chat and course systems cut links beyond some ${figure(MOST_CHARACTERS)}, so that nothing of it would open. Send its listing as a file.`
       : 'The program and its format are in the link itself, behind the #. No server gets to see them.';
-    box.replaceChildren(el('h2', { class: 'menu-first' }, current().kind === 'cldata' ? 'Share this CLDATA' : 'Share this tape'), ...(tooLong ? [said, file] : [link, copy, markdown, frame, said]));
+    box.replaceChildren(el('h2', { class: 'menu-first' }, current().kind === 'cldata' ? 'Share this CLDATA' : 'Share this tape'), ...(tooLong ? [said, file] : [link, copy, markdown, current().kind === 'cldata' ? '' : frame, said]));
   }
 
   const menu = makeMenu({ menu: box, opener: byId('share-button', HTMLElement), fill: tell });
