@@ -112,7 +112,7 @@ test("a tape becomes a tape of another format, and comes back", () => {
   const [from, end, textFrom, textTo] = there.map.at(-1) ?? [0, 0, 0, 0];
   assert.ok(source.slice(from, end).includes("M"), source.slice(from, end));
   assert.ok(there.text.slice(textFrom, textTo).startsWith("N0"), there.text);
-  const ends = (/** @type {string} */ text, /** @type {typeof format} */ format) =>
+  const ends = (/** @type {string} */ text, /** @type {import("nctape").Format} */ format) =>
     nctape.check(text, format).spans.filter(({ kind }) => kind === "arc").map(({ sweep }) => Math.sign(sweep ?? 0));
   assert.deepEqual(ends(there.text, to), ends(source, format));
   const back = nctape.convert(there.text, to, format);
