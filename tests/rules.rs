@@ -82,7 +82,7 @@ fn the_catalogue_and_the_rules_agree() {
         };
         let weighs = |rule: &Rule, word: &str| verdicts(&rule).iter().any(|verdict| verdict.severity.name() == word);
         if let Some(rule) = rule.filter(|rule| !severity.split(" or ").all(|word| weighs(rule, word))) {
-            faults.push(format!("{line:?}: the rule is {:?}", verdicts(&rule)));
+            faults.push(format!("{line:?}: the rule is {:?}", verdicts(rule)));
         }
         let fits = match state.strip_prefix("alias of ") {
             // Either the id of another standard's verdict, or a row that says the same as another.
