@@ -14,10 +14,11 @@ import { severityMark, SEVERITY_WORD } from './severity.js';
  * @param {() => import('./own-tape.js').Whole} parts.current
  * @param {(tape: import('./own-tape.js').Whole) => void} parts.load
  * @param {import('./own-tape.js').Whole | null} parts.own  the visitor's tape of an earlier visit
+ * @param {import('./own-tape.js').Whole[]} parts.earlier  those before it
  * @param {string | null} parts.guest  what the tape that opens first is called, where it is a guest
  */
-export function makeHeader({ store, engine, presets, choose, current, load, own, guest }) {
-  const picker = makePicker({ presets, choose, current, load, own, guest });
+export function makeHeader({ store, engine, presets, choose, current, load, own, earlier, guest }) {
+  const picker = makePicker({ presets, choose, current, load, own, earlier, guest });
 
   const line = byId('format-text', HTMLElement);
   const flag = byId('format-flag', HTMLElement);

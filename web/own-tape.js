@@ -13,6 +13,9 @@ const KINDS = [
   { kind: 'cldata', group: 'CLDATA, from which tapes are made', own: 'Your CLDATA', about: 'Your own CLDATA.', empty: 'empty-cldata', emptyTitle: 'Empty CLDATA' },
 ];
 const GUEST = 'guest';
+const EARLIER = 'earlier.';
+/** So many tapes are kept that were the visitor's own before an example or a guest was changed. */
+const MOST_EARLIER = 3;
 const ABOUT_OWN = 'This browser keeps it, also while you look at an example.';
 const ABOUT_GUEST = 'Not your own until you change it: yours is kept, and can be chosen above.';
 
@@ -26,13 +29,17 @@ const kindOf = (whole) => KINDS.find(({ kind }) => kind === whole?.kind) ?? KIND
  * @param {() => Whole} parts.current
  * @param {(tape: Whole) => void} parts.load
  * @param {Whole | null} parts.own  the visitor's tape of an earlier visit
+ * @param {Whole[]} parts.earlier  those before it, the last one first
  * @param {string | null} parts.guest  what the tape that opens first is called, where it is a guest
  */
-export function makePicker({ presets, choose, current, load, own: earlier, guest: first }) {
+export function makePicker({ presets, choose, current, load, own: lastOwn, earlier, guest: first }) {
   const picker = byId('preset', HTMLSelectElement);
   const about = byId('about-tape', HTMLElement);
   const opener = byId('about-button', HTMLElement);
   const own = el('option', { value: OWN, hidden: true }, KINDS[0].own);
+  const before = Array.from({ length: MOST_EARLIER }, (_, at) =>
+    el('option', { value: `${EARLIER}${at}`, hidden: true }, at === 0 ? 'Your earlier tape' : `Your earlier tape, ${at + 1} back`),
+  );
   const visiting = el('option', { value: GUEST, hidden: true });
   picker.replaceChildren(
     own,
@@ -44,10 +51,11 @@ export function makePicker({ presets, choose, current, load, own: earlier, guest
         el('option', { value: empty }, emptyTitle),
       ),
     ),
+    ...before,
     visiting,
   );
   /** What was written before an example was opened. @type {Whole | null} */
-  let kept = earlier;
+  let kept = lastOwn;
   /** What the tape that is looked at is called, where it is a guest: it is the visitor's own once it is edited. */
   let guest = first;
   /** The example that the text is; GUEST or OWN if it is none. */
@@ -61,9 +69,18 @@ export function makePicker({ presets, choose, current, load, own: earlier, guest
     const empty = KINDS.find((one) => one.empty === wanted);
     if (preset !== undefined) choose(preset);
     else if (empty !== undefined) load({ format: current().format, source: '', cursor: 0, kind: empty.kind });
+    else if (wanted.startsWith(EARLIER)) takeUp(Number(wanted.slice(EARLIER.length)));
     else if (kept !== null) load(kept);
     show();
   });
+  /** Opens an earlier tape, in the place of which the last one is laid aside. @param {number} at */
+  function takeUp(at) {
+    const chosen = earlier[at];
+    if (chosen === undefined) return;
+    earlier.splice(at, 1, ...(kept === null ? [] : [kept]));
+    kept = chosen;
+    load(chosen);
+  }
   /** What was open of either kind when the other was turned to. @type {Partial<Record<SourceKind, { whole: Whole, guest: string | null }>>} */
   const left = {};
 
@@ -76,6 +93,7 @@ export function makePicker({ presets, choose, current, load, own: earlier, guest
     picker.value = open;
     own.hidden = open !== OWN && kept === null;
     own.textContent = kindOf(open === OWN ? current() : kept).own;
+    before.forEach((option, at) => (option.hidden = earlier[at] === undefined));
     visiting.hidden = open !== GUEST;
     visiting.textContent = guest;
     about.textContent = presets.find(({ id }) => id === open)?.about ?? (open === GUEST ? ABOUT_GUEST : `${kindOf(current()).about} ${ABOUT_OWN}`);
@@ -117,8 +135,8 @@ export function makePicker({ presets, choose, current, load, own: earlier, guest
       const own = open === OWN && tape.source.trim() !== '' ? tape : kept;
       const example = presets.find(({ id }) => id === open);
       // An example is kept by its name, as long as it is read under its own format.
-      if (example?.format === tape.format) return { own, shown: null, guest: null, example: open };
-      return { own, shown: open === OWN ? null : tape, guest: open === GUEST ? guest : null, example: null };
+      if (example?.format === tape.format) return { own, earlier, shown: null, guest: null, example: open };
+      return { own, earlier, shown: open === OWN ? null : tape, guest: open === GUEST ? guest : null, example: null };
     },
     /**
      * Shows which example the text is, if it is one.
@@ -128,7 +146,16 @@ export function makePicker({ presets, choose, current, load, own: earlier, guest
     name(is, byHand) {
       if (byHand) guest = null;
       const kind = current().kind ?? 'tape';
+      const was = open;
       open = presets.find((preset) => preset.kind === kind && is(preset.source))?.id ?? (guest === null ? OWN : GUEST);
+      // An example or a guest that is changed becomes the visitor's own, and theirs an earlier one; undone, it comes back.
+      if (byHand && was !== OWN && open === OWN && kept !== null) {
+        earlier.unshift(kept);
+        earlier.length = Math.min(earlier.length, MOST_EARLIER);
+        kept = null;
+      } else if (was === OWN && open !== OWN && kept === null) {
+        kept = earlier.shift() ?? null;
+      }
       show();
     },
   };

@@ -100,6 +100,7 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
       editor.focus();
     },
     own: beginning.own,
+    earlier: beginning.earlier,
     guest: beginning.guest,
   });
   const keepDraft = whenQuiet(() => beginning.drafts.keep(header.draft()), DRAFT);

@@ -24,7 +24,7 @@ export function messageOf({ message, clauses, count }) {
     { class: 'message' },
     message,
     count > 1 ? ' ' : null,
-    count > 1 ? el('span', { class: 'times' }, `${whole(count)} times.`) : null,
+    count > 1 ? el('span', { class: 'repeats' }, `${whole(count)} times.`) : null,
     ' ',
     el('span', { class: 'clauses' }, clauses.join(', ')),
   );

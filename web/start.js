@@ -10,6 +10,7 @@ import { Drafts } from './share/drafts.js';
  * @property {Whole | null} tape  null: the first example
  * @property {string | null} guest  what it is called, where it is not the visitor's own
  * @property {Whole | null} own  the visitor's tape, where another is opened or another window left it
+ * @property {Whole[]} earlier  what was theirs before it
  * @property {Drafts} drafts
  */
 
@@ -25,10 +26,11 @@ export async function begin(engine, presets) {
   const drafts = new Drafts(notice, await standardsOf(engine));
   const { mine, last } = isFramed() ? { mine: null, last: null } : await drafts.open();
   const own = mine?.own ?? last?.own ?? null;
+  const earlier = (mine ?? last)?.earlier ?? [];
   const shared = await sharedTape(engine);
-  if (shared !== null) return { tape: shared, guest: SHARED, own, drafts };
+  if (shared !== null) return { tape: shared, guest: SHARED, own, earlier, drafts };
   const example = presets.find(({ id }) => id === mine?.example) ?? null;
-  return { tape: mine?.shown ?? example ?? mine?.own ?? null, guest: mine?.guest ?? null, own, drafts };
+  return { tape: mine?.shown ?? example ?? mine?.own ?? null, guest: mine?.guest ?? null, own, earlier, drafts };
 }
 
 /** @param {import('./engine.js').Engine} engine */

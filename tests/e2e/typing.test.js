@@ -196,6 +196,44 @@ test('one’s own tape waits while an example is looked at', async () => {
   await leave();
 });
 
+test('an example that is changed leaves the visitor’s tape to be chosen, and gives it back when it is undone', async () => {
+  const { page, leave } = await visit(started);
+  const picker = page.locator('#preset');
+  const shown = () => picker.locator('option:not([hidden])').allInnerTexts();
+  await endOfLine(page, 'N005');
+  await page.keyboard.type('(MINE)');
+  await picker.selectOption({ index: 2 });
+  await quiet(page);
+  await page.locator('.cm-content').click();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('(OTHER)');
+  await quiet(page);
+  assert.ok((await shown()).includes('Your earlier tape'), (await shown()).join(', '));
+  await page.keyboard.press('Control+z');
+  await quiet(page);
+  assert.ok(!(await shown()).includes('Your earlier tape'), 'undone, it is an example again');
+  await picker.selectOption('');
+  await quiet(page);
+  assert.match(await text(page), /MINE/);
+  await picker.selectOption({ index: 2 });
+  await quiet(page);
+  await page.locator('.cm-content').click();
+  await page.keyboard.press('Control+End');
+  await page.keyboard.type('(OTHER)');
+  await quiet(page);
+  await page.waitForTimeout(1200);
+  await page.reload();
+  await quiet(page);
+  assert.match(await text(page), /OTHER/);
+  await picker.selectOption({ label: 'Your earlier tape' });
+  await quiet(page);
+  assert.match(await text(page), /MINE/, 'it outlives a reload');
+  await picker.selectOption({ label: 'Your earlier tape' });
+  await quiet(page);
+  assert.match(await text(page), /OTHER/, 'the two change places');
+  await leave();
+});
+
 test('Page Down behind the last block stays there, and Page Up comes back to it', async () => {
   const { page, leave } = await visit(started);
   await page.locator('.cm-content').click();

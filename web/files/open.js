@@ -21,6 +21,19 @@ export function makeOpen({ store, engine, load, show, openRule, close }) {
   const veil = byId('drop-veil', HTMLElement);
   const card = byId('file-card', HTMLElement);
 
+  /** What is loaded next is the file that the card speaks of. */
+  let ours = false;
+  const hide = () => (card.hidden = true);
+  // It goes when another tape is opened.
+  store.on(['summary'], ({ whole }) => {
+    if (!whole) return;
+    if (!ours) hide();
+    ours = false;
+  });
+  document.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape' && !event.defaultPrevented) hide();
+  });
+
   byId('open-file', HTMLElement).addEventListener('click', () => input.click());
   input.addEventListener('change', async () => {
     close();
@@ -74,6 +87,7 @@ export function makeOpen({ store, engine, load, show, openRule, close }) {
     }
     const opened = await engine.fact('openFile', bytes, store.state.format);
     // As the editor has its line ends, which offsets count.
+    ours = true;
     load({ source: opened.text.replace(/\r\n?/g, '\n'), format: opened.format, cursor: 0, kind: opened.language });
     tell(file.name, bytes.length, opened);
   }
@@ -90,7 +104,7 @@ export function makeOpen({ store, engine, load, show, openRule, close }) {
         'div',
         { class: 'file-head' },
         el('h2', null, name),
-        button('small', 'Close', () => (card.hidden = true), { 'aria-label': 'Close what is said of the file' }),
+        button('small', 'Close', hide, { 'aria-label': 'Close what is said of the file' }),
       ),
       el('p', null, kind === 'image' ? `${reason} ${counted(size, 'row')}.` : reason),
       decoded === null ? '' : el('p', null, decoded.reason),

@@ -6,6 +6,14 @@ import { counted } from '../words.js';
 /** @typedef {import('nctape').Format} Format */
 /** @typedef {import('nctape').Suggestion} Suggestion */
 
+/**
+ * What one suggestion rests on and another does not.
+ * @param {Suggestion} one
+ * @param {Suggestion} other
+ */
+const apart = (one, other) =>
+  [...one.sure, ...one.assumed].filter((ground) => ![...other.sure, ...other.assumed].includes(ground)).join(' ');
+
 /** So many are worth comparing. */
 const MOST = 4;
 
@@ -39,7 +47,10 @@ export function makeSuggestions({ store, engine, text, change }) {
     );
     const lines = await Promise.all(found.map(({ format }) => engine.fact('formatLine', format)));
     if (madeFor !== about || text() !== about) return;
-    takers = found.map((suggestion, index) => card(suggestion, lines[index], index === 0));
+    takers = found.map((suggestion, index) => {
+      const twin = found.find((other, at) => at !== index && lines[at] === lines[index]);
+      return card(suggestion, lines[index], index === 0, twin === undefined ? null : apart(suggestion, twin));
+    });
     list.replaceChildren(...takers.map((taker) => taker.card));
     words.textContent =
       found.length === 0
@@ -52,8 +63,9 @@ export function makeSuggestions({ store, engine, text, change }) {
    * @param {Suggestion} suggestion
    * @param {string} line
    * @param {boolean} first
+   * @param {string | null} difference  from another suggestion of the same line
    */
-  function card({ format, sure, assumed, errors }, line, first) {
+  function card({ format, sure, assumed, errors }, line, first, difference) {
     const taker = button('small', '', () => {
       if (!isUsed(format)) change(format);
     });
@@ -65,6 +77,7 @@ export function makeSuggestions({ store, engine, text, change }) {
         'li',
         { class: 'suggestion' },
         el('p', { class: 'suggestion-line' }, line),
+        difference && el('p', { class: 'suggestion-apart' }, difference),
         el(
           'p',
           { class: 'suggestion-errors' },

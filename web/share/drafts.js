@@ -8,6 +8,7 @@ import { wholeOf } from './whole.js';
 /**
  * @typedef {object} Draft
  * @property {Whole | null} own  the visitor's tape
+ * @property {Whole[]} earlier  what was theirs before it, the last one first
  * @property {Whole | null} shown  another that is open in its place
  * @property {string | null} guest  what that is called
  * @property {string | null} example  the example that is open in its place, as it comes
@@ -51,9 +52,10 @@ export class Drafts {
    */
   read(name) {
     try {
-      const { own, shown, guest, example, time } = JSON.parse(recall(name) ?? 'null');
+      const { own, earlier, shown, guest, example, time } = JSON.parse(recall(name) ?? 'null');
       const [whole, other] = [own, shown].map((found) => wholeOf(found, this.standards));
-      return { own: whole, shown: other, guest: wordOf(guest), example: wordOf(example), time: Number(time) || 0 };
+      const before = Array.isArray(earlier) ? earlier.map((one) => wholeOf(one, this.standards)).filter((one) => one !== null) : [];
+      return { own: whole, earlier: before, shown: other, guest: wordOf(guest), example: wordOf(example), time: Number(time) || 0 };
     } catch {
       return null;
     }
@@ -63,9 +65,13 @@ export class Drafts {
   keep(draft) {
     if (this.name === '') return;
     const { own, shown, example } = draft;
-    const isLong = (own?.source.length ?? 0) + (shown?.source.length ?? 0) > MOST_CHARACTERS;
+    const long = (own?.source.length ?? 0) + (shown?.source.length ?? 0);
+    const isLong = long > MOST_CHARACTERS;
+    // What was theirs before goes first where there is no room.
+    let room = MOST_CHARACTERS - long;
+    const earlier = draft.earlier.filter(({ source }) => (room -= source.length) >= 0);
     const nothing = own === null && shown === null && example === null;
-    const kept = !isLong && !nothing && remember(PREFIX + this.name, JSON.stringify({ ...draft, time: Date.now() }));
+    const kept = !isLong && !nothing && remember(PREFIX + this.name, JSON.stringify({ ...draft, earlier, time: Date.now() }));
     // An older one would come back as if it were this one.
     if (!kept) forget(PREFIX + this.name);
     if (kept || nothing || this.said) return;
