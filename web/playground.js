@@ -259,9 +259,12 @@ export function makePlayground({ store, engine, kinds, presets, beginning }) {
   // When the caller has the playground in hand, to which the engine's answer goes.
   queueMicrotask(() => {
     replaceAll(editor, first, { isFirst: true });
-    makeHints((view) => {
-      if (layout.narrow()) layout.showTab(view === 'plot' ? 'path' : 'program');
-    });
+    // Who follows a link wants to see what is in it.
+    if (beginning.guest === null) {
+      makeHints((view) => {
+        if (layout.narrow()) layout.showTab(view === 'plot' ? 'path' : 'program');
+      });
+    }
   });
 
   return {

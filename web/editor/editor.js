@@ -153,7 +153,7 @@ export function replaceAll(view, { source, format, cursor, kind = 'tape' }, { is
     userEvent: 'input.replace',
     annotations: isFirst ? Transaction.addToHistory.of(false) : [],
   });
-  scrollWithin(view, Math.min(cursor, source.length), 'center');
+  scrollWithin(view, Math.min(cursor, source.length), 'opened');
 }
 
 /**

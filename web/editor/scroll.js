@@ -9,7 +9,7 @@ const MARGIN = 60;
  * Brings a place into sight within the editor, and moves nothing around it.
  * @param {EditorView} view
  * @param {number} offset
- * @param {'nearest' | 'center'} where
+ * @param {'nearest' | 'center' | 'opened'} where  opened: from the top, where the place is to be seen then
  */
 export function scrollWithin(view, offset, where) {
   const { scrollDOM } = view;
@@ -22,7 +22,11 @@ export function scrollWithin(view, offset, where) {
       if (where === 'nearest' && top - margin >= scrollTop && bottom + margin <= scrollTop + clientHeight) return;
       const toTop = top - margin;
       const toBottom = bottom + margin - clientHeight;
-      scrollDOM.scrollTop = where === 'center' ? (top + bottom - clientHeight) / 2 : toTop < scrollTop ? toTop : toBottom;
+      if (where === 'opened' && bottom + margin <= clientHeight) {
+        scrollDOM.scrollTop = 0;
+        return;
+      }
+      scrollDOM.scrollTop = where !== 'nearest' ? (top + bottom - clientHeight) / 2 : toTop < scrollTop ? toTop : toBottom;
     },
   });
   // Across, once the line is there.
