@@ -5,8 +5,9 @@
 //! anew: read them line by line before you commit.
 
 use nctape::cldata::{Cldata, Dialect, Element, ElementKind, Options};
+use nctape::post::postprocess;
 use nctape::span::{Geometry, SpanKind};
-use nctape::{Diagnostic, Severity};
+use nctape::{Diagnostic, Format, Severity, Standard};
 use proptest::prelude::*;
 use proptest::sample::select;
 use proptest::test_runner::RngSeed;
@@ -422,6 +423,24 @@ proptest! {
     #[test]
     fn any_text_holds_together(text in any_text()) {
         holds_together(&text)?;
+    }
+
+    /// Whatever the text, it is posted, and its map and findings lead back into it.
+    #[test]
+    fn any_text_is_posted(text in any_text(), pick in 0..4_usize, incremental in any::<bool>()) {
+        let details = ["N3G2X+42Y+42Z+42I+42J+42F4S4T2M2*", "N3.G2.X42.Y42*", "X+42Y+42F2", "N3G2XL33YL33ZL33IL33JL33KL33F5S3M2*"];
+        let standards = [Standard::Iso2539, Standard::Iso1058, Standard::Rs274, Standard::Iso2539];
+        let mut format = Format::new(standards[pick], details[pick]);
+        format.itemized.dimensions = incremental.then_some(nctape::format::Dimensions::Incremental);
+        let posted = postprocess(&text, &format);
+        for (source, block) in &posted.map {
+            prop_assert!(text.get(source.clone()).is_some() && posted.text.get(block.clone()).is_some());
+        }
+        prop_assert!(posted.map.windows(2).all(|pair| pair[0].1.start <= pair[1].1.start));
+        for found in &posted.diagnostics {
+            prop_assert!(text.get(found.range.clone()).is_some(), "{} {:?} in {text:?}", found.id, found.range);
+        }
+        prop_assert!(!posted.text.contains("(INCOMPLETE)") || posted.is_incomplete());
     }
 
     /// Good files with something taken out, put in or doubled.

@@ -1,26 +1,32 @@
 //! What LinuxCNC makes of a converted tape, beside the spans of the tape.
 //!
 //! `rs274` of Debian's `linuxcnc-uspace` runs a program by itself and prints its canonical motions, to four places. Where
-//! it is installed it runs every preset and 500 random tapes. Its output for twenty of them is recorded in
+//! it is installed it runs every preset, 500 random tapes and 100 that were posted from random CLDATA. Its output for twenty of them is recorded in
 //! `tests/linuxcnc`, with the program that it was given, and compared everywhere. `RECORD=1 cargo test -p nctape --test
 //! linuxcnc` has rs274 record it anew; nothing else writes those files.
 //!
 //! `NURBS_FEED`, which is what it prints of a quadratic spline, has no coordinates: the end of such a motion shows in the
 //! motion behind it, and its control point is compared as it stands in the program.
 
+#[path = "support/random_cldata.rs"]
+#[allow(dead_code, reason = "the increment is of no use here")]
+mod random_cldata;
 #[path = "support/random_tape.rs"]
 mod random_tape;
 
 use nctape::convert::{Converted, Dialect, to_decimal};
 use nctape::format::Unit;
+use nctape::post::postprocess_with;
 use nctape::span::{Arc, Geometry, Span, SpanKind};
 use nctape::{Format, Severity, Tape, presets};
+use random_cldata::random_cldata;
 use random_tape::random_tape;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Mutex;
 
 const RANDOM: u64 = 500;
+const POSTED: u64 = 100;
 
 /// Half of the last place that rs274 prints, and what writing and reading six more leaves.
 const PRINTED: f64 = 0.000_050_1;
@@ -32,7 +38,7 @@ struct Case {
 }
 
 fn cases(random: u64) -> Vec<Case> {
-    let presets = presets::all().into_iter().map(|preset| Case {
+    let presets = presets::tapes().into_iter().map(|preset| Case {
         name: preset.id.to_owned(),
         format: preset.format,
         source: preset.source.to_owned(),
@@ -44,11 +50,24 @@ fn cases(random: u64) -> Vec<Case> {
     presets.chain(random).collect()
 }
 
+/// Tapes that were posted from CLDATA; those are left out of which F cannot say the feed.
+fn posted() -> impl Iterator<Item = Case> {
+    (0..POSTED).filter_map(|number| {
+        let random = random_cldata(number);
+        let posted = postprocess_with(&random.source, &random.format, &random.options);
+        (!posted.is_incomplete()).then(|| Case {
+            name: format!("posted-{number:03}"),
+            format: random.format,
+            source: posted.text,
+        })
+    })
+}
+
 #[test]
 fn recorded_motions_are_the_spans() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/linuxcnc");
     // All presets, and as many random tapes as make twenty.
-    let cases = cases(20 - presets::all().len() as u64);
+    let cases = cases(20 - presets::tapes().len() as u64);
     assert_eq!(cases.len(), 20);
     let rs274 = std::env::var_os("RECORD").map(|_| rs274().expect("rs274 records"));
     let mut seen = Seen::default();
@@ -75,7 +94,7 @@ fn motions_of_rs274_are_the_spans() {
     };
     let folder = PathBuf::from(env!("CARGO_TARGET_TMPDIR"));
     let mut seen = Seen::default();
-    for case in cases(RANDOM) {
+    for case in cases(RANDOM).into_iter().chain(posted()) {
         let ngc = folder.join("tape.ngc");
         let program = program(&case);
         std::fs::write(&ngc, &program).unwrap();

@@ -1,13 +1,11 @@
 //! The post-processor: CLDATA becomes tapes that do what it says.
 
+use nctape::cldata::Cldata;
 use nctape::convert::Converted;
 use nctape::post::{Arcs, Options, postprocess, postprocess_with};
 use nctape::span::SpanKind;
 use nctape::{Format, Severity, Standard, Tape, presets};
 use std::path::Path;
-
-/// The annex E contour: start (10, 10, 20), and its points as the departures of the printed tape add up to them.
-const ANNEX_E: &str = include_str!("cldata/annex_e.cld");
 
 /// The format and the text of a preset.
 fn preset(id: &str) -> (Format, &'static str) {
@@ -52,7 +50,8 @@ fn words<'a>(text: &'a str, letters: &str) -> Vec<Vec<&'a str>> {
 #[test]
 fn the_circular_contour_of_annex_e_word_for_word() {
     let (format, printed) = preset("annex-e-circular");
-    let posted = postprocess_with(ANNEX_E, &format, &Options { quadrants: true, ..Options::default() });
+    let posted =
+        postprocess_with(preset("cldata-annex-e").1, &format, &Options { quadrants: true, ..Options::default() });
     assert_eq!(found(&posted), [""; 0]);
     let printed = printed.replace("I-000000", "I+000000");
     // N001 of the printed tape turns the spindle off and says G01.
@@ -70,7 +69,7 @@ fn the_circular_contour_of_annex_e_word_for_word() {
 fn the_circles_of_annex_e_as_parabolas() {
     let (format, printed) = preset("annex-e-parabolic");
     let options = Options { arcs: Some(Arcs::Parabolas), tolerance: Some(0.01), ..Options::default() };
-    let posted = postprocess_with(ANNEX_E, &format, &options);
+    let posted = postprocess_with(preset("cldata-annex-e").1, &format, &options);
     assert_eq!(found(&posted), [""; 0]);
     let spans = |text: &str| -> Vec<_> {
         let tape = Tape::new(text, &format);
@@ -82,6 +81,29 @@ fn the_circles_of_annex_e_as_parabolas() {
         // The printed points are truncated, and the author's second centre is off by 0,005 in both axes.
         let off = (0..2).map(|axis| (own.end[axis] - other.end[axis]).abs()).fold(0.0, f64::max);
         assert!(off <= 0.0061, "{own:?} {other:?}");
+    }
+}
+
+/// Each but the tilted one becomes a tape without a fault; that one says what it lacks, where.
+#[test]
+fn the_presets() {
+    for preset in presets::all().into_iter().filter(|preset| preset.kind == presets::PresetKind::Cldata) {
+        let cldata = Cldata::new(preset.source, &nctape::cldata::Options::default());
+        assert_eq!(cldata.count(Severity::Error), 0, "{}: {:?}", preset.id, cldata.diagnostics());
+        let posted = postprocess(preset.source, &preset.format);
+        let tape = Tape::new(&posted.text, &preset.format);
+        assert_eq!(weighty(&tape.diagnostics()), [""; 0], "{}\n{}", preset.id, posted.text);
+        if preset.id == "cldata-tilted-axis" {
+            let [error] = &posted.diagnostics[..] else { panic!("{:?}", posted.diagnostics) };
+            assert_eq!(
+                (error.id, error.count, &preset.source[error.range.clone()]),
+                ("POST-01", 2, ".173648178,.,.984807753")
+            );
+            assert!(posted.text.contains("(INCOMPLETE)") && posted.text.contains("M00 (NOT POSTED)"));
+        } else {
+            assert_eq!(weighty(&posted.diagnostics), [""; 0], "{}", preset.id);
+            assert_eq!(posted.text.contains("INCOMPLETE"), false);
+        }
     }
 }
 
@@ -141,4 +163,178 @@ fn what_is_lacking_stops_the_tape_and_is_said_at_its_start() {
     assert!(posted.is_incomplete());
     assert_eq!(found(&posted), ["POST-02", "POST-02"]);
     assert_eq!(blocks(&posted), ["M00 (INCOMPLETE) (NOT POSTED)", "G00 X+00010000"]);
+}
+
+/// The blocks of some records, without their sequence numbers.
+fn lines(format: &Format, all: &[&str]) -> (Vec<String>, Vec<&'static str>) {
+    let posted = postprocess(&records(all), format);
+    (blocks(&posted).into_iter().map(str::to_owned).collect(), found(&posted))
+}
+
+fn post(all: &[&str]) -> Vec<String> {
+    let (blocks, found) = lines(&wide(), all);
+    assert_eq!(found, [""; 0], "{blocks:?}");
+    blocks
+}
+
+/// Facts on post-processors: speed and sense are modal, coolant ON is the last kind, flood at first; M00 stops both.
+#[test]
+fn spindle_coolant_tools_and_stops() {
+    let motion = "5000,5,'',0,10.,.,.";
+    assert_eq!(
+        post(&[
+            "20000,0,LOADTL,3.",
+            "20000,0,SPINDL,RPM,600.,CCLW",
+            "20000,0,SPINDL,600.,RPM",
+            "20000,0,COOLNT,ON",
+            "20000,0,COOLNT,MIST",
+            "20000,0,STOP",
+            "20000,0,RAPID",
+            motion,
+            "20000,0,SPINDL,OFF",
+            "20000,0,COOLNT,OFF",
+            "20000,0,OPSTOP",
+            "20000,0,SELCTL,12.",
+            "20000,0,SPINDL,ON",
+            "20000,0,SPINDL,CLW",
+            "20000,0,SPINDL,ORIENT",
+        ]),
+        [
+            "T03 M06",
+            "S00600 M04",
+            "M08",
+            "M07",
+            "M00",
+            "S00600 M04",
+            "M07",
+            "G00 X+00010000",
+            "M05",
+            "M09",
+            "M01",
+            "T12",
+            "S00600 M04",
+            "M03",
+            "M19"
+        ]
+    );
+    for (lacking, id) in [
+        ("20000,0,SPINDL,ON", "POST-02"),
+        ("20000,0,SPINDL,SFM,200.,CLW", "POST-02"),
+        ("20000,0,COOLNT,AIR", "POST-02"),
+        ("20000,0,LOADTL,1.5", "POST-02"),
+        ("20000,0,DELAY,2.", "CONV-09"),
+        ("20000,0,CYCLE,THRU,DEPTH,1.", "POST-02"),
+        ("20000,0,CYCLE,DRILL,CLEAR,1.", "POST-02"),
+        ("20000,0,CYCLE,ON", "POST-02"),
+        ("20000,0,PREFUN,90.", "POST-02"),
+        ("20000,0,AUXFUN,100.", "POST-02"),
+        ("20000,0,RETRCT", "POST-02"),
+        ("20000,0,CUTCOM,LENGTH", "POST-04"),
+        ("15000,1,2.", "POST-02"),
+        ("5000,5,'',0,100000.,.,.", "CONV-09"),
+        ("5000,5,'',0,1.,.,.", "CONV-09"),
+    ] {
+        let (blocks, found) = lines(&wide(), &[lacking]);
+        assert_eq!(found[0], id, "{lacking}: {blocks:?}");
+        assert!(
+            blocks.last().is_some_and(|block| block.contains("M00") && block.contains("INCOMPLETE")),
+            "{lacking}: {blocks:?}"
+        );
+    }
+}
+
+/// A hole at (5, 0) in a part whose top is at 0: 3 deep, from 2 above.
+#[test]
+fn cycles_in_long_hand() {
+    let hole = |cycle: &str| {
+        let blocks = post(&[
+            "20000,0,SPINDL,600.,CLW",
+            "20000,0,RAPID",
+            "5000,5,'',0,.,.,20.",
+            cycle,
+            "5000,5,'',0,5.,.,.",
+            "20000,0,CYCLE,OFF",
+            "20000,0,RAPID",
+            "5000,5,'',0,5.,.,20.",
+        ]);
+        assert_eq!(blocks[..4], ["S00600 M03", "G00 Z+00020000", "X+00005000", "Z+00002000"], "{cycle}");
+        blocks[4..].join("|")
+    };
+    let out = "G00 Z+00002000|Z+00020000";
+    assert_eq!(hole("20000,0,CYCLE,DRILL,DEPTH,3.,PERMIN,80.,CLEAR,2."), format!("G01 Z-00003000 F00080|{out}"));
+    // By place, as older systems have it.
+    assert_eq!(hole("20000,0,CYCLE,FACE,3.,MMPM,80.,2."), format!("G01 Z-00003000 F00080|{out}"));
+    // Two strokes: 2 deep, then the rest, beginning as far above as above the part.
+    assert_eq!(
+        hole("20000,0,CYCLE,DEEP,DEPTH,3.,STEP,2.,PERMIN,80.,CLEAR,2."),
+        format!("G01 Z-00002000 F00080|G00 Z+00002000|Z+00000000|G01 Z-00003000|{out}")
+    );
+    assert_eq!(
+        hole("20000,0,CYCLE,BORE,DEPTH,3.,PERMIN,80.,RAPTO,2.,RETURN,5."),
+        "G01 Z-00003000 F00080|Z+00005000|G00 Z+00020000"
+    );
+    assert_eq!(
+        hole("20000,0,CYCLE,TAP,DEPTH,3.,PERMIN,80.,CLEAR,2."),
+        "G01 Z-00003000 F00080|M04|Z+00002000|M03|G00 Z+00020000"
+    );
+}
+
+#[test]
+fn numbers_skips_inserts_and_functions() {
+    let text = records(&[
+        "20000,0,SEQNO,100.,INCR,10.",
+        "20000,0,FEDRAT,60.,PERMIN",
+        "5000,5,'',0,1.,2.,3.",
+        "20000,0,OPSKIP,ON",
+        "5000,5,'',0,1.,2.,4.",
+        "20000,0,OPSKIP,OFF",
+        "20000,0,INSERT,'N7 G04 X0500'",
+        "5000,5,'',0,9.,2.,4.",
+        "20000,0,SEQNO,OFF",
+        "20000,0,AUXFUN,13.",
+        "20000,0,PREFUN,60.",
+        "20000,0,REWIND",
+    ]);
+    let posted = postprocess(&text, &wide());
+    assert_eq!(
+        posted.text,
+        "%\nN0100 G01 X+00001000 Y+00002000 Z+00003000 F00060\n/N0110 G01 X+00001000 Y+00002000 Z+00004000 F00060\n\
+         N7 G04 X0500\nN0120 G01 X+00009000 Y+00002000 Z+00004000 F00060\nM13\nG60\nM30\n"
+    );
+    assert_eq!(found(&posted), ["POST-06"]);
+}
+
+/// ISO 1058 has neither arcs nor oblique cuts; a machine without Z is set in Z by hand.
+#[test]
+fn what_a_positioning_control_does() {
+    let format = Format::new(Standard::Iso1058, "N3G2X+42Y+42F4M2*").classified("PAM 222");
+    let feed = "20000,0,FEDRAT,60.,PERMIN";
+    let (blocks, ids) = lines(&format, &["5000,3,'',0,.,.,5.", feed, "5000,5,'',0,9.,.,5.", "5000,5,'',0,.,7.,5."]);
+    assert_eq!((blocks.len(), &*ids.concat()), (2, "CONV-09"), "{blocks:?}");
+    assert!(blocks[0].starts_with("G01 X+000900") && blocks[1] == "M00 (NOT POSTED)", "{blocks:?}");
+    let (_, ids) = lines(&format, &[feed, "5000,3,'',0,.,.,5.", "5000,5,'',0,.,.,4."]);
+    assert_eq!(ids, ["CONV-09"]);
+    let arc = ["5000,3,'',0,10.,.,.", feed, "3000,2,0,4,9,'',0,.,.,.,.,.,1.,10.", "5000,5,'',0,.,10.,."];
+    assert!(lines(&format, &arc).1.contains(&"CONV-09"));
+}
+
+/// A helix that the format denies, and a full circle.
+#[test]
+fn helices_and_full_circles() {
+    let mut format = wide();
+    format.itemized.set_point = Some(nctape::format::SetPoint::InOrder(vec![10.0, 0.0, 0.0]));
+    let arc = |format: &Format, end: &str| {
+        let circle = "3000,2,0,4,9,'',0,.,.,.,.,.,1.,10.";
+        let end = format!("5000,5,'',0,{end}");
+        lines(format, &["5000,3,'',0,10.,.,.", "20000,0,FEDRAT,60.,PERMIN", circle, &end])
+    };
+    // One block is read as a full circle where the format says so: two halves always are.
+    let (blocks, _) = arc(&format, "10.,.,.");
+    assert_eq!(blocks, ["G03 X-00010000 I+00000000 J+00000000 F00060", "X+00010000 I+00000000 J+00000000"]);
+    format.itemized.full_circle = Some(true);
+    assert_eq!(arc(&format, "10.,.,.").0, ["G03 I+00000000 J+00000000 F00060"]);
+    format.itemized.helix = Some(false);
+    let (blocks, found) = arc(&format, ".,10.,1.");
+    assert_eq!(found, ["CONV-08"]);
+    assert!(blocks.len() > 50 && blocks[0].starts_with("G01") && blocks.last().unwrap().contains("Z+00001000"));
 }

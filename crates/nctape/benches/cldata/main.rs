@@ -1,4 +1,4 @@
-//! `cargo bench --bench cldata`: how fast CLDATA is read, carried out and checked.
+//! `cargo bench --bench cldata`: how fast CLDATA is read, carried out and checked, and made a punched tape.
 
 #[path = "../tape/measure.rs"]
 #[allow(dead_code, reason = "only some of the measures are taken here")]
@@ -6,6 +6,8 @@ mod measure;
 
 use measure::{Contestant, TIMES_HEAD, TIMES_RULE, compete, grouped, shown};
 use nctape::cldata::{Cldata, Options};
+use nctape::post::postprocess;
+use nctape::{Format, Standard, Tape};
 use std::fmt::Write;
 use std::hint::black_box;
 use std::time::Duration;
@@ -50,13 +52,32 @@ fn main() {
     let check = |columns: Option<usize>| {
         black_box(Cldata::new(black_box(&text), &Options { columns, dialect: None }));
     };
-    let mut contestants: [Contestant<'_>; 2] =
-        [("as a stream", Box::new(|| check(None))), ("in 72 columns", Box::new(|| check(Some(72))))];
+    let format = Format::new(Standard::Iso2539, "N6G2X+53Y+53Z+53I+53J+53F4S5T2M2*").classified("CAM 333");
+    let posted = postprocess(&text, &format);
+    assert!(!posted.is_incomplete(), "{:?}", posted.diagnostics.first());
+    let mut contestants: [Contestant<'_>; 4] = [
+        ("read, carried out and checked, as a stream", Box::new(|| check(None))),
+        ("the same in 72 columns", Box::new(|| check(Some(72)))),
+        (
+            "read and posted to tape text",
+            Box::new(|| {
+                black_box(postprocess(black_box(&text), &format));
+            }),
+        ),
+        (
+            "read, posted and punched: to rows of holes",
+            Box::new(|| {
+                let posted = postprocess(black_box(&text), &format);
+                black_box(Tape::new(&posted.text, &format).rows());
+            }),
+        ),
+    ];
     let times = compete(&mut contestants, Duration::from_secs(10));
     println!(
-        "\n{} records of CLDATA, {} bytes: read, carried out and checked.\n",
+        "\n{} records of CLDATA, {} bytes, and the tape of {} blocks that they become.\n",
         grouped(RECORDS),
-        grouped(text.len())
+        grouped(text.len()),
+        grouped(posted.text.matches('\n').count() - 1)
     );
     println!("| what | {TIMES_HEAD} | a record |");
     println!("| --- | {TIMES_RULE} | --: |");

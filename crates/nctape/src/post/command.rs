@@ -4,7 +4,7 @@ use super::posting::Poster;
 use crate::cldata::Key;
 use crate::cldata::command::Argument;
 use crate::cldata::step::Step;
-use crate::format::{Dimensions, Sign, Standard, Unit};
+use crate::format::Unit;
 use crate::rules::posting as rules;
 
 impl Poster<'_> {
@@ -56,6 +56,11 @@ impl Poster<'_> {
             "RETRCT" if self.state.clearance.is_some() => {
                 let [x, y, z] = std::array::from_fn(|axis| self.writer.position(axis));
                 self.rapid([x, y, self.state.clearance.unwrap_or(z)], place);
+            }
+            // A place where the machine may begin: the alignment function (B.2), which says all that is in force.
+            "TMARK" => {
+                self.writer.align();
+                self.state.unsaid = [true; 3];
             }
             "INDEX" | "COPY" | "TRACUT" => {
                 let message = format!(
@@ -146,21 +151,12 @@ impl Poster<'_> {
             return;
         }
         let moved = self.state.skip_start.take().is_some_and(|start| start != at);
-        if moved && self.is_incremental() {
+        if moved && (0..3).any(|axis| self.writer.is_incremental(axis)) {
             let message = "The blocks between OPSKIP,ON and here move the tool, and the dimensions are incremental: \
                            where they are skipped, all that follows is cut elsewhere.";
             let place = self.source.record(step.record);
             self.report(&rules::skip_displaces::RULE, "", place, message.to_owned());
         }
-    }
-
-    fn is_incremental(&self) -> bool {
-        let by_choice = self.control.dimensions == Dimensions::Incremental;
-        self.control.axes.iter().take(3).any(|axis| match axis.sign {
-            Some(Sign::Incremental) => true,
-            Some(Sign::Both) => by_choice,
-            sign => by_choice && sign.is_some() && self.control.standard() == Standard::Rs274,
-        })
     }
 
     /// LEADER: blank tape, which has rows and no characters, so that no tape text can hold it.

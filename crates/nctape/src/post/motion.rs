@@ -187,19 +187,16 @@ impl Poster<'_> {
         let feed = rate.feed.filter(|feed| feed.is_finite() && *feed > 0.0)?;
         let speed = rate.speed.filter(|speed| *speed > 0.0);
         let is_reciprocal = self.control.feed == FeedCoding::TimeReciprocal;
-        if self.control.feed_unit == FeedUnit::PerRevolution && !is_reciprocal {
-            return match rate.per {
-                Per::Revolution => Some(Pace::PerRevolution(feed)),
-                Per::Minute => Some(Pace::PerRevolution(feed / speed?)),
-                Per::Other => None,
-            };
+        let by_revolution = self.control.feed_unit == FeedUnit::PerRevolution && !is_reciprocal;
+        let per_minute = |feed: f64| Pace::PerMinute { feed, minutes: length / feed };
+        // Where no speed is known, the kind of feed that the format does not have by itself (G94, G95).
+        match (rate.per, by_revolution, speed) {
+            (Per::Minute, true, Some(speed)) => Some(Pace::PerRevolution(feed / speed)),
+            (Per::Minute, ..) => Some(per_minute(feed)),
+            (Per::Revolution, false, Some(speed)) => Some(per_minute(feed * speed)),
+            (Per::Revolution, ..) => Some(Pace::PerRevolution(feed)),
+            (Per::Other, ..) => None,
         }
-        let feed = match rate.per {
-            Per::Minute => feed,
-            Per::Revolution => feed * speed?,
-            Per::Other => return None,
-        };
-        Some(Pace::PerMinute { feed, minutes: length / feed })
     }
 }
 

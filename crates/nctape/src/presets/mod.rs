@@ -3,6 +3,10 @@
 mod annex_d_boring;
 mod annex_e_circular;
 mod annex_e_parabolic;
+mod cldata_annex_e;
+mod cldata_drilling;
+mod cldata_tilted_axis;
+mod cldata_two_customs;
 mod eia_contour;
 mod iso_1058_boring;
 mod tab_columns;
@@ -69,5 +73,9 @@ pub fn all() -> Vec<Preset> {
         y_1702_holes_incremental::preset(),
         y_1702_holes_printed::preset(),
         eia_contour::preset(),
+        cldata_annex_e::preset(),
+        cldata_two_customs::preset(),
+        cldata_drilling::preset(),
+        cldata_tilted_axis::preset(),
     ]
 }
