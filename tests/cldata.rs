@@ -78,6 +78,13 @@ fn the_printed_examples() {
         ),
     ] {
         assert_eq!(elements(text).join("|"), wanted, "{text}");
+        // The same as records of a fixed length, short enough for literals to go on in the next one (annex A).
+        for columns in [72, 20] {
+            let cards: Vec<&str> = text.as_bytes().chunks(columns).map(|card| str::from_utf8(card).unwrap()).collect();
+            let cldata = in_columns(&cards.join("\n"), columns);
+            let all = cldata.elements(&cldata.records()[0]).iter().map(|element| shown(&cldata, element));
+            assert_eq!(all.collect::<Vec<_>>().join("|"), wanted, "{cards:?}");
+        }
         let found = read(text);
         let others: Vec<_> = weighty(&found).into_iter().filter(|name| *name != "no-termination-record").collect();
         assert_eq!(others, ["motion-before-feed"; 0], "{text}");

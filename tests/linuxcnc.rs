@@ -20,7 +20,7 @@ use nctape::post::postprocess_with;
 use nctape::span::{Arc, Geometry, Span, SpanKind};
 use nctape::{Format, Severity, Tape, presets};
 use random_cldata::random_cldata;
-use random_tape::random_tape;
+use random_tape::{numbers, random_tape};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::Mutex;

@@ -102,7 +102,7 @@ fn the_presets() {
             assert!(posted.text.contains("(INCOMPLETE)") && posted.text.contains("M00 (NOT POSTED)"));
         } else {
             assert_eq!(weighty(&posted.diagnostics), [""; 0], "{}", preset.id);
-            assert_eq!(posted.text.contains("INCOMPLETE"), false);
+            assert!(!posted.text.contains("INCOMPLETE"));
         }
     }
 }

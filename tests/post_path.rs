@@ -1,5 +1,7 @@
 //! Random CLDATA posted to random formats, and read back from the holes: the path is the same.
 
+#[path = "support/numbers.rs"]
+mod numbers;
 #[path = "support/random_cldata.rs"]
 mod random_cldata;
 

@@ -1,13 +1,10 @@
 //! Random CLDATA of points and arcs, with a format to post it to: the same in every run.
 
-#[path = "numbers.rs"]
-mod numbers;
-
+use super::numbers::Numbers;
 use nctape::format::{
     ArcCentre, ArcFeed, Dimensions, FeedCoding, Format, Itemized, Plane, Standard, TapeCode, TimeScale,
 };
 use nctape::post::{Arcs, Options};
-use numbers::Numbers;
 use std::f64::consts::TAU;
 use std::fmt::Write;
 

@@ -2,7 +2,7 @@
 //! three points, under many formats.
 
 #[path = "numbers.rs"]
-mod numbers;
+pub mod numbers;
 
 use nctape::format::value::Positive;
 use nctape::format::{

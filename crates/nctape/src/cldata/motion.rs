@@ -35,7 +35,7 @@ impl State<'_> {
                 if let Some(last) = points.last() {
                     self.file.position = Some(last.at);
                     self.file.tool_axis = last.axis;
-                    self.keep(index, |_| Act::From);
+                    self.keep(index, |_| Act::From(last.at));
                 }
             }
             Some(4) => {
@@ -209,7 +209,6 @@ impl State<'_> {
                 sound: to.sound && to.whole,
                 element: to.element,
                 circle,
-                last: to.record,
                 feed: state.file.feed,
                 per: state.file.per,
                 speed: state.file.speed,

@@ -19,8 +19,8 @@ pub(crate) struct Step {
 /// What it is.
 #[derive(Clone, Debug)]
 pub(crate) enum Act {
-    /// FROM: it says where the tool stands, which the next motion has as its start.
-    From,
+    /// FROM: the tool stands here.
+    From([f64; 3]),
     /// A move, boxed: most steps are smaller.
     Motion(Box<Motion>),
     /// A command of the post-processor, and what stands behind its word.
@@ -49,8 +49,6 @@ pub(crate) struct Motion {
     pub element: usize,
     /// The record of the circle that it runs along.
     pub circle: Option<usize>,
-    /// The last record that it comes from.
-    pub last: usize,
     /// The feed in the unit of the report per minute or per revolution.
     pub feed: Option<f64>,
     pub per: Per,

@@ -71,16 +71,15 @@ impl Poster<'_> {
         if std::mem::replace(&mut self.state.begun, true) {
             return;
         }
-        let from = self.point(motion.from.unwrap_or(motion.to));
+        let start = self.state.from.map_or(motion.to, |(_, at)| at);
+        let from = self.point(start);
         for (axis, &value) in from.iter().enumerate() {
             // An axis that the format lacks stands where it is needed, as a hand sets it.
             if self.control.axes[axis].sign.is_none() {
                 self.writer.stand_by_hand(axis, value);
             }
         }
-        if motion.from.is_none() || self.is_at(from) {
-            return;
-        }
+        let Some((record, _)) = self.state.from.filter(|_| !self.is_at(from)) else { return };
         let stands: [f64; 3] = std::array::from_fn(|axis| self.writer.position(axis));
         let shown = |[x, y, z]: [f64; 3]| format!("({x}, {y}, {z})");
         let message = format!(
@@ -88,7 +87,6 @@ impl Poster<'_> {
             shown(from),
             shown(stands)
         );
-        let record = self.state.from.unwrap_or(motion.last);
         self.report(&rules::start_elsewhere::RULE, "", self.source.record(record), message);
         if self.source.cldata.records()[record].file == 0 {
             let fix = self.set_point_fix(from);

@@ -43,8 +43,8 @@ pub(super) struct Poster<'a> {
 pub(super) struct State {
     /// There was a motion.
     pub begun: bool,
-    /// The record that says where the tool stands.
-    pub from: Option<usize>,
+    /// Where the tool is said to stand, and the record that says so.
+    pub from: Option<(usize, [f64; 3])>,
     /// Axes that the next motion says, whether they move or not: what was said of them may have been skipped.
     pub unsaid: [bool; 3],
     pub machine: Machine,
@@ -150,7 +150,7 @@ impl<'a> Poster<'a> {
 
     fn step(&mut self, step: &Step, behind: &[Step], last: usize) {
         match &step.act {
-            Act::From => self.state.from = Some(step.record),
+            Act::From(at) => self.state.from = Some((step.record, *at)),
             Act::ToolAxis(axis) => self.state.tool_axis = *axis,
             Act::Motion(motion) => {
                 let from = self.writer.text.len();
