@@ -57,6 +57,30 @@ const caption = (page) => page.locator('#span-caption').innerText();
 /** The number that a block begins with. @param {string} block */
 const numberOf = (block) => /^\S*?(N\d+)/.exec(block)?.[1] ?? block;
 
+test('an example of CLDATA shows its records, its path and the tape that it became', async () => {
+  const { page, leave } = await visit(started);
+  const option = page.locator('#preset optgroup').nth(1).locator('option').first();
+  await page.locator('#preset').selectOption((await option.getAttribute('value')) ?? '');
+  await page.locator('#posted-text .cm-line').first().waitFor();
+  await quiet(page);
+  assert.equal(await page.locator('#kind-cldata').getAttribute('aria-checked'), 'true');
+  assert.match(await page.locator('#program-note').innerText(), /\d+ records/);
+  assert.match(await page.locator('#record-place').innerText(), /^Record \d+/);
+  assert.notEqual((await page.locator('#record-says').innerText()).trim(), '');
+  assert.ok((await posted(page)).some((line) => /N\d+/.test(line)));
+  assert.match(await row(page), /^Row \d+ of \d+, block/);
+  assert.notEqual((await page.locator('#legend').innerText()).trim(), '');
+  assert.equal(await page.locator('.tally', { hasText: 'error' }).count(), 0, 'an example has no error');
+  assert.equal(await page.locator('#replay').isVisible(), false);
+  // And the switch goes back to the tape that was open before.
+  await page.locator('#kind-tape').click();
+  await quiet(page);
+  assert.equal(await page.locator('#preset').inputValue(), 'annex-e-circular');
+  assert.equal(await page.locator('#posted').isVisible(), false);
+  assert.ok(await page.locator('#replay').isVisible());
+  await leave();
+});
+
 test('an error in a record is located and mended, and the tape follows', async () => {
   const { page, leave } = await visit(started);
   await openCldata(page, PLATE.replace('60.,20.,20.', '60,20.,20.'));
