@@ -5,7 +5,8 @@ mod random_tape;
 
 use nctape::convert::{Converted, Dialect, to_decimal};
 use nctape::format::{
-    ArcCentre, ArcFeed, Dimensions, Dwell, DwellUnit, FeedCoding, FeedUnit, Format, SetPoint, SpindleCoding, Standard,
+    ArcCentre, ArcFeed, CurveKind, Dimensions, Dwell, DwellUnit, FeedCoding, FeedUnit, Format, SetPoint, SpindleCoding,
+    Standard,
 };
 use nctape::{Tape, presets};
 use random_tape::random_tape;
@@ -304,6 +305,33 @@ fn a_thread_of_one_lead_is_g33() {
     assert_eq!(lines[1], "N002 G33 K1.52970585 X2.00 Z10.00");
     assert_eq!(lines[2..], ["(NOT CONVERTED: N003)", "N003 (ABORT,N003 of the tape is not converted)"]);
     assert_eq!(rules(&format(), &blocks), ["CONV-01"]);
+}
+
+/// By hand: y = x³ through (1, 1), (2, 8) and (3, 27), in chords whose ends lie on it to the places that are written.
+#[test]
+fn a_cubic_is_chords() {
+    let mut cubic = format();
+    cubic.itemized.curves = Some([("G05".to_owned(), CurveKind::Cubic)].into());
+    let blocks = ["G05X+000100Y+000100F100", "X+000200Y+000800", "X+000300Y+002700", "G01X+000400"];
+    assert_eq!(rules(&cubic, &blocks), ["CONV-08"]);
+    let lines = body(&cubic, &blocks);
+    let number = |line: &str, letter: char| -> Option<f64> {
+        line.split(' ').find_map(|word| word.strip_prefix(letter)?.parse().ok())
+    };
+    let points: Vec<(f64, f64)> = lines.iter().filter_map(|line| number(line, 'X').zip(number(line, 'Y'))).collect();
+    assert!(points.len() > 8 && points.contains(&(3.0, 27.0)), "{lines:?}");
+    for (x, y) in points {
+        // Half of a ten-thousandth in x counts by the slope, 27 at most.
+        assert!((x * x * x - y).abs() < 28.0 * 0.000_05, "{x} {y}");
+    }
+    assert_eq!(lines.last().map(String::as_str), Some("N004 G1 X4.00"));
+}
+
+/// Metres per minute under G21. D, the greatest speed, may be left out in LinuxCNC.
+#[test]
+fn a_cutting_speed_is_g96() {
+    let lines = body(&format(), &["G96", "S200M03", "G97", "S500", "M30"]);
+    assert_eq!(lines, ["N001", "N002 G96 S200 M3", "N003 G97", "N004 S500", "N005 M30"]);
 }
 
 #[test]

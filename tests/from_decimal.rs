@@ -156,6 +156,26 @@ fn functions_keep_their_meaning() {
     assert_eq!(found, [("CONV-02", "M48")]);
 }
 
+/// A skipped line that is incremental on one side alone moves all that follows; a feed between two codes is rounded.
+#[test]
+fn what_is_written_otherwise_is_said() {
+    let mut incremental = format();
+    incremental.detail = incremental.detail.replace("X+42", "XD42");
+    let rules = |source: &str, format: &Format| -> Vec<&'static str> {
+        from_decimal(source, format).diagnostics.iter().map(|found| found.id).collect()
+    };
+    let (absolute, relative) = ("/G0 X1.0\nG0 X2.0\n", "G91\n/G0 X1.0\nG0 X2.0\n");
+    assert_eq!((rules(absolute, &format()), rules(absolute, &incremental)), (vec![], vec!["CONV-05"]));
+    assert_eq!((rules(relative, &format()), rules(relative, &incremental)), (vec!["CONV-05"], vec![]));
+    assert_eq!(rules("/G0 Y1.0\nG0 X2.0\n", &incremental), [""; 0], "Y is absolute there");
+    let found = from_decimal("G1 X1.0 F100.4\nX2.0 F200\nS600 M3\n", &format()).diagnostics;
+    assert_eq!((found[0].id, found[0].range.clone()), ("CONV-10", 0..14));
+    // 0,4 of 100,4.
+    assert!(found[0].message.contains("up to 0.40 % off"), "{}", found[0].message);
+    // What is said behind the last block stands there.
+    assert!(from_decimal("M30\n(END)\n", &format()).text.ends_with("M30 (END)\n"));
+}
+
 #[test]
 fn what_does_not_fit_stops_the_tape() {
     for (source, at, rule) in [

@@ -26,12 +26,19 @@ export function makeRegisters(store) {
   const place = el('p', { class: 'registers-place', id: 'registers-place' });
   const axes = el('tbody', { class: 'axes' });
   const lines = el('tbody', { class: 'lines' });
+  const notes = el('div');
+  // What a line of the table has no room for, for whoever does not hover.
+  const details = el('details', { class: 'registers-more', id: 'registers-more' }, el('summary', null, 'When these act'), notes);
   host.append(
     el('div', { class: 'registers-head' }, head, place),
     el('table', { class: 'register-table' }, axes, lines),
+    details,
   );
   /** The texts of the rows as they stand, so that only what changes is written. @type {string[]} */
   let written = [];
+  let noted = '';
+
+  details.addEventListener('toggle', tell);
 
   function tell() {
     const { held, heldBlock, summary } = store.state;
@@ -48,6 +55,13 @@ export function makeRegisters(store) {
     });
     const all = linesOf(store.state, held);
     fill(lines, all.length);
+    if (details.open) {
+      const sentences = all.flatMap(({ more = [] }) => more);
+      if (noted !== sentences.join('\n')) {
+        noted = sentences.join('\n');
+        notes.replaceChildren(...sentences.map((sentence) => el('p', null, sentence)));
+      }
+    }
     all.forEach(({ name, code, says, quiet, more = [] }, index) => {
       const [heading, cell] = cells(lines, index);
       const at = 2 * (position.length + index) + 1;

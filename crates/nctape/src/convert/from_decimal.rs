@@ -235,6 +235,9 @@ impl<'a> Reader<'a> {
             end[axis] = Some(if self.incremental { self.at[axis] + value } else { value });
         }
         let range = line.range.clone();
+        if line.skip {
+            self.skips(&end, &range);
+        }
         let Some(motion) = self.motion.filter(|motion| *motion != Motion::Other) else {
             let message = "These axes move under no interpolation that a tape has: a cycle, a thread, a move to a \
                            reference, or none was given. The line is not converted, and the tape stops there.";
@@ -266,6 +269,23 @@ impl<'a> Reader<'a> {
         let written = self.writer.motion(&Move { course, end: end.clone(), pace: self.pace(length) });
         self.take(written, range);
         self.arrive(&end);
+    }
+
+    /// Where a line can be skipped, an axis that is incremental on one side alone ends somewhere else.
+    fn skips(&mut self, end: &[Option<f64>], range: &Range<usize>) {
+        let moved = |&axis: &usize| {
+            end[axis].is_some_and(|end| end != self.at[axis]) && self.incremental != self.writer.is_incremental(axis)
+        };
+        let letters: Vec<String> =
+            (0..end.len()).filter(moved).map(|axis| self.control.axes[axis].letter.to_string()).collect();
+        if !letters.is_empty() {
+            let message = format!(
+                "The tape is right with the skip switch off: {} has dimensions of another kind there, and where this line is \
+                 skipped the lines behind it take the tool somewhere else than here.",
+                letters.join(", ")
+            );
+            self.report(&rules::skip_is_fixed::RULE, range.clone(), message);
+        }
     }
 
     fn arrive(&mut self, end: &[Option<f64>]) {

@@ -7,9 +7,12 @@ mod cldata_annex_e;
 mod cldata_drilling;
 mod cldata_tilted_axis;
 mod cldata_two_customs;
+mod cutter_left;
 mod eia_contour;
 mod iso_1058_boring;
+mod rotary_table;
 mod tab_columns;
+mod thread;
 mod y_1702_block;
 mod y_1702_holes;
 mod y_1702_holes_incremental;
@@ -73,6 +76,9 @@ pub fn all() -> Vec<Preset> {
         y_1702_holes_incremental::preset(),
         y_1702_holes_printed::preset(),
         eia_contour::preset(),
+        rotary_table::preset(),
+        cutter_left::preset(),
+        thread::preset(),
         cldata_annex_e::preset(),
         cldata_two_customs::preset(),
         cldata_drilling::preset(),

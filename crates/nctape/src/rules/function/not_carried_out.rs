@@ -41,6 +41,11 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
             "G92 (Preload of registers) moves no tool: from here the dimensions count from another origin. The path is \
              drawn in the new coordinates, so that it seems to jump."
                 .to_owned()
+        } else if matches!(code, 34 | 35) {
+            format!(
+                "{name} ({meaning}) is in force from here. The path is drawn, and I, J and K are taken as the first lead; by \
+                 how much it changes with every revolution no word of the standards says, so that no time is known."
+            )
         } else if matches!(code, 41 | 42) {
             format!(
                 "{name} ({meaning}) is in force from here. The path drawn is the programmed one; state the radius of the \
@@ -53,5 +58,25 @@ pub(crate) fn check(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
             )
         };
         sink.report(&RULE, tape.function(block, b'G', code), message).count(count);
+    }
+    check_rapid_z(tape, sink);
+}
+
+/// R may be declared as the rapid motion along Z that B.1 offers. Its order beside Z and the other words of the block, and
+/// how far it takes Z, are the builder's, and no field of the format says them.
+fn check_rapid_z(tape: &TapeView<'_>, sink: &mut Sink<'_>) {
+    let declared = tape.control.format.itemized.declared.as_ref().and_then(|declared| declared.letters.get("R"));
+    let is_rapid = declared.is_some_and(|meaning| meaning.to_lowercase().contains("rapid"));
+    if !is_rapid || tape.control.axis(b'R').is_none() || !tape.seen.any(Traits::address(b'R')) {
+        return;
+    }
+    let words = tape.reading.blocks.iter().flat_map(|block| {
+        tape.reading.words(block).iter().filter(|word| word.address == b'R').map(|word| tape.reading.range(block, word))
+    });
+    let ranges: Vec<_> = words.collect();
+    if let Some(first) = ranges.first() {
+        let message = "R is declared as rapid motion along Z. It is shown as an axis of its own and leaves Z where it is: in \
+                       which order R and Z act in a block, and where Z is then, the standards leave to the builder.";
+        sink.report(&RULE, first.clone(), message.to_owned()).count(ranges.len());
     }
 }
