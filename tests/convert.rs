@@ -247,8 +247,8 @@ fn functions_mean_what_iso_1056_says_or_both_builders() {
         format.itemized.declared = Some(Declared { m, ..Declared::default() });
         format
     };
-    let blocks = ["M52", "M11", "G60", "G00 X+001000 M09", "M30"];
-    let all = ["N001 M52", "N002 M11", "N003 G60", "N004 G00 X+001000 M09", "N005 M30"];
+    let blocks = ["M52", "M11", "G60", "G08", "G00 X+001000 M09", "M30"];
+    let all = ["N001 M52", "N002 M11", "N003 G60", "N004 G08", "N005 G00 X+001000 M09", "N006 M30"];
     assert_eq!(written(&declares("CHUTE"), &declares("CHUTE"), &blocks), all);
     let other = converted(&declares("CHUTE"), &declares("DOOR"), &blocks);
     assert_eq!(rules(&other), ["CONV-02"]);

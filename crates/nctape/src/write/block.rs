@@ -19,6 +19,10 @@ impl TapeWriter<'_> {
 
     /// Writes the words that no block has taken, as a block of their own.
     pub(crate) fn flush(&mut self) {
+        // A function that acts in its block alone does so without a motion, too.
+        if let Some(word) = self.once.take().and_then(|code| self.code_word('G', i64::from(code)).ok()) {
+            self.held.push(('G', word));
+        }
         if !self.held.is_empty() {
             self.block(Vec::new());
         }
