@@ -225,30 +225,6 @@ fn a_step_that_no_number_shows_is_no_span() {
     let tape = run(&format, &["G01X+000000001F0300", "Y+000000001M30"]);
     assert!(tape.spans().list.iter().all(|span| span.length > 0.0), "{:?}", tape.spans().list);
     assert_eq!(tape.spans().list.len(), 1);
-
-/// By hand: from (10, 0) over (8, 6) to (0, 10) on the circle about the origin, and the other way round.
-#[test]
-fn arcs_through_a_point() {
-    for (code, over, sweep) in [("G03", "X+000800Y+000600", 90.0), ("G02", "X+000600Y-000800", -270.0)] {
-        let first = format!("{code}{over}");
-        let tape = run(&format(), &["G01X+001000F0300", &first, "X+000000Y+001000", "M30"]);
-        assert_eq!(ids(&tape, Severity::Warning), [""; 0]);
-        let span = &tape.spans().list[1];
-        assert_eq!((span.blocks, span.end, degrees(span)), ((1, 2), [0.0, 10.0, 0.0], sweep));
-        assert!(arc(span).centre.iter().all(|at| at.abs() < 1e-12), "{:?}", arc(span).centre);
-        assert!((span.length - 10.0 * sweep.abs().to_radians()).abs() < 1e-9);
-    }
-}
-
-/// By hand: from (0, 0) over (10, 10) to (20, 0) the tangents meet at (10, 20); the next one begins there (4.2.3.2).
-#[test]
-fn parabolas_through_a_point_are_chained() {
-    let points = ["G06X+001000Y+001000F0300", "X+002000Y+000000", "X+003000Y-001000", "X+004000Y+000000M30"];
-    let tape = run(&format(), &points);
-    assert_eq!(ids(&tape, Severity::Warning), [""; 0]);
-    let spans: Vec<_> = tape.spans().list.iter().map(|span| (span.blocks, parabola(span), span.end)).collect();
-    let expected = [((0, 1), [10.0, 20.0, 0.0], [20.0, 0.0, 0.0]), ((2, 3), [30.0, -20.0, 0.0], [40.0, 0.0, 0.0])];
-    assert_eq!(spans, expected);
 }
 
 #[test]
