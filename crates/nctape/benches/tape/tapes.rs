@@ -166,7 +166,7 @@ fn letters(count: usize) -> String {
 }
 
 fn empty_programs(count: usize) -> String {
-    "%AB\n".repeat(count)
+    format!("{}%\nN0000001 H01 M30\n", "%AB\n".repeat(count))
 }
 
 fn program_starts(count: usize) -> String {
