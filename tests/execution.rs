@@ -4,7 +4,9 @@
 #![allow(clippy::disallowed_methods)]
 
 use nctape::format::value::Positive;
-use nctape::format::{ArcCentre, ArcParameters, CurveKind, FeedCoding, Format, ParabolaParameters, SetPoint, Standard};
+use nctape::format::{
+    ArcCentre, ArcParameters, CurveKind, Declared, FeedCoding, Format, ParabolaParameters, SetPoint, Standard, explain,
+};
 use nctape::span::{Geometry, Span};
 use nctape::{Severity, Tape};
 
@@ -225,6 +227,73 @@ fn a_step_that_no_number_shows_is_no_span() {
     let tape = run(&format, &["G01X+000000001F0300", "Y+000000001M30"]);
     assert!(tape.spans().list.iter().all(|span| span.length > 0.0), "{:?}", tape.spans().list);
     assert_eq!(tape.spans().list.len(), 1);
+}
+
+/// A to E turn, in turns or degrees as the classification says; U to W and P to R go along X, Y and Z. Each is an axis of
+/// its own, in the order of the detail, and alone it goes at its own feed.
+#[test]
+fn every_letter_of_a_further_axis_is_read_and_shown() {
+    for (letter, meaning) in [
+        ('A', None),
+        ('B', None),
+        ('C', None),
+        ('D', Some("angular dimension about a special axis")),
+        ('E', Some("angular dimension about a special axis")),
+        ('U', Some("secondary motion parallel to X")),
+        ('V', Some("secondary motion parallel to Y")),
+        ('W', Some("secondary motion parallel to Z")),
+        ('P', Some("tertiary motion parallel to X")),
+        ('Q', Some("tertiary motion parallel to Y")),
+        ('R', Some("tertiary motion parallel to Z")),
+    ] {
+        for class in ["CAMD 222", "CAMR 222"] {
+            let mut format = Format::new(Standard::Iso2539, &format!("N3G2X+42{letter}+33F4M2*")).classified(class);
+            if let Some(meaning) = meaning {
+                let letters = [(letter.to_string(), meaning.to_owned())].into();
+                format.itemized.declared = Some(Declared { letters, ..Declared::default() });
+            }
+            assert!(explain(&format).diagnostics.is_empty(), "{:?}", explain(&format).diagnostics);
+            // Half a unit: degrees or turns, or millimetres; 0,5 of them at 5 a minute take 6 seconds.
+            let block = format!("G01{letter}+000500F0005");
+            let tape = run(&format, &[&block, "X+001000M30"]);
+            assert_eq!(ids(&tape, Severity::Info), [""; 0], "{letter} {class}");
+            let letters: String = tape.control().axes.iter().map(|axis| axis.letter).collect();
+            assert_eq!(letters, format!("XYZ{letter}"));
+            assert_eq!(tape.spans().end(0), [0.0, 0.0, 0.0, 0.5]);
+            let span = &tape.spans().list[0];
+            assert_eq!((span.length, span.feed, span.seconds), (0.5, Some(5.0), Some(6.0)), "{letter}");
+            // A length counts, an angle does not; it stands in the registers behind its block and the next.
+            assert_eq!(tape.totals().cutting, if letter > 'E' { 10.5 } else { 10.0 }, "{letter}");
+            for registers in tape.registers_of(0..2) {
+                assert_eq!(registers.position[3], 0.5, "{letter}");
+            }
+        }
+    }
+}
+
+/// By hand: from (10, 0) over (8, 6) to (0, 10) on the circle about the origin, and the other way round.
+#[test]
+fn arcs_through_a_point() {
+    for (code, over, sweep) in [("G03", "X+000800Y+000600", 90.0), ("G02", "X+000600Y-000800", -270.0)] {
+        let first = format!("{code}{over}");
+        let tape = run(&format(), &["G01X+001000F0300", &first, "X+000000Y+001000", "M30"]);
+        assert_eq!(ids(&tape, Severity::Warning), [""; 0]);
+        let span = &tape.spans().list[1];
+        assert_eq!((span.blocks, span.end, degrees(span)), ((1, 2), [0.0, 10.0, 0.0], sweep));
+        assert!(arc(span).centre.iter().all(|at| at.abs() < 1e-12), "{:?}", arc(span).centre);
+        assert!((span.length - 10.0 * sweep.abs().to_radians()).abs() < 1e-9);
+    }
+}
+
+/// By hand: from (0, 0) over (10, 10) to (20, 0) the tangents meet at (10, 20); the next one begins there (4.2.3.2).
+#[test]
+fn parabolas_through_a_point_are_chained() {
+    let points = ["G06X+001000Y+001000F0300", "X+002000Y+000000", "X+003000Y-001000", "X+004000Y+000000M30"];
+    let tape = run(&format(), &points);
+    assert_eq!(ids(&tape, Severity::Warning), [""; 0]);
+    let spans: Vec<_> = tape.spans().list.iter().map(|span| (span.blocks, parabola(span), span.end)).collect();
+    let expected = [((0, 1), [10.0, 20.0, 0.0], [20.0, 0.0, 0.0]), ((2, 3), [30.0, -20.0, 0.0], [40.0, 0.0, 0.0])];
+    assert_eq!(spans, expected);
 }
 
 #[test]
