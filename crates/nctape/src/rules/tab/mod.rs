@@ -19,8 +19,11 @@ pub(crate) fn tabs(block: &BlockView<'_>) -> Vec<usize> {
         return Vec::new();
     }
     let tabs = Listing::new(block.text).filter(|it| it.mark == Mark::Character('\t') && !it.comment);
-    let slipped = |at: usize| {
-        block.strays.iter().any(|stray| stray.kind == StrayKind::TabBehindAddress && stray.range().start == at)
+    let mut slipped = block.strays.iter().filter(|stray| stray.kind == StrayKind::TabBehindAddress).peekable();
+    // Both are in order.
+    let mut slipped = |at: usize| {
+        while slipped.next_if(|stray| stray.range().start < at).is_some() {}
+        slipped.peek().is_some_and(|stray| stray.range().start == at)
     };
     tabs.map(|tab| tab.from).filter(|&at| !slipped(at)).collect()
 }
