@@ -32,7 +32,7 @@ test('a paste that does not fit is offered a format, which reads it without an e
   await cards.first().getByRole('button', { name: 'Use this format' }).click();
   await quiet(page);
   assert.equal(await format.innerText(), await cards.first().locator('.suggestion-line').innerText());
-  assert.equal(await page.locator('#field-itemized-setPoint').inputValue(), '10, 10, 20', 'where the tool stands is kept');
+  assert.equal(await page.locator('#field-itemized-setPoint').inputValue(), '', 'a set point is of its own tape');
   assert.doesNotMatch(await page.locator('#tallies').innerText(), /error/);
   assert.ok(await offer.isHidden());
   assert.ok(await cards.first().getByRole('button', { name: 'In use' }).isVisible());
