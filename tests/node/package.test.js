@@ -213,7 +213,8 @@ test("what is known of the machine is kept, and what is not is said", () => {
   const { format } = preset("annex-e-circular");
   /** @type {import("nctape").Format} */
   const found = { standard: "iso2539", detail: "N3.G2.X+42.F4.M2*" };
-  assert.deepEqual(nctape.onMachineOf(found, format).itemized, { setPoint: [10, 10, 20] });
+  const known = { ...format, itemized: { ...format.itemized, readerSpeed: 60, rapid: 5000 } };
+  assert.deepEqual(nctape.onMachineOf(found, known).itemized, { readerSpeed: 60, rapid: 5000 }, "a set point is of its own tape");
   assert.equal(nctape.readerSpeed(found), 300);
   assert.equal(nctape.whyUntimed("rapid", found).field, "itemized.rapid");
   // @ts-expect-error no such kind
